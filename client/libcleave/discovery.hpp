@@ -1,0 +1,26 @@
+// Who publishes and reads what on this machine: DDS's own built-in topics.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "libcleave/stream.hpp"
+#include "libcleave/topic.hpp"
+
+namespace cleave {
+
+struct Endpoint {
+  Domain domain;
+  bool writes;  // else reads
+  std::string topic;
+  std::string type;
+  std::string process;  // name and id, where the vendor tells; else empty
+};
+
+// All endpoints of cleave/... topics, this process's own excluded, sorted by topic, writers first.
+// Discovery takes a moment: listens for `listen` first.
+[[nodiscard]] std::vector<Endpoint> discover(Stream& stream, std::chrono::milliseconds listen);
+
+}  // namespace cleave

@@ -1,0 +1,41 @@
+// SIGTERM and SIGINT as a request that threads can wait for.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace cleave {
+
+// Construct first in main, before any thread: it blocks both signals, and threads inherit that.
+// A second signal while the first is being honoured ends the process at once (exit code 130).
+class Shutdown {
+ public:
+  Shutdown();
+  ~Shutdown();
+  Shutdown(const Shutdown&) = delete;
+  Shutdown& operator=(const Shutdown&) = delete;
+
+  [[nodiscard]] bool requested() const { return requested_.load(); }
+  // As if a signal had come: for programs that end by themselves. From any thread.
+  void request();
+  // Waits up to `timeout`; true if shutdown was requested.
+  bool wait_for(std::chrono::milliseconds timeout);
+  // Runs `action` once when shutdown is requested, on the signal's thread (at once, on this one, if
+  // it has been already). Keep it short, e.g. WaitSet::wake. Replaces the action set before.
+  void on_request(std::function<void()> action);
+
+ private:
+  void watch();
+  std::atomic<bool> requested_{false};
+  std::atomic<bool> quit_{false};
+  std::mutex mutex_;  // guards action_
+  std::condition_variable changed_;
+  std::function<void()> action_;
+  std::thread thread_;
+};
+
+}  // namespace cleave

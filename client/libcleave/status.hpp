@@ -1,0 +1,52 @@
+// A node's status in C++ terms, its publication and its way back from the wire.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "libcleave/stream.hpp"
+#include "libcleave/types.hpp"
+#include "libcleave/writer.hpp"
+
+namespace cleave {
+
+enum class NodeState { starting, running, source_lost, ended, stopping };
+[[nodiscard]] const char* to_string(NodeState state);
+[[nodiscard]] const char* to_string(Transport transport);
+
+struct NodeReport {
+  std::string node;  // "grabber/<sensor>" or "segmenter/<sensor>"
+  std::string version;
+  std::string sensor;
+  std::uint32_t process_id = 0;
+  NodeState state = NodeState::starting;
+  Transport transport = Transport::network;
+  std::string transport_reason;
+  std::uint64_t frames_in = 0;
+  std::uint64_t frames_out = 0;
+  std::uint64_t frames_dropped = 0;
+  std::uint64_t frames_rejected = 0;
+  std::uint64_t frames_in_flight = 0;
+  std::uint64_t frames_zero_copy = 0;
+  std::map<std::string, std::uint64_t> dropped_by_cause;
+  std::map<std::string, std::uint64_t> rejected_by_cause;
+  float rate_hz = 0;
+  float latency_median_ms = 0;
+  float latency_p90_ms = 0;
+  float latency_p99_ms = 0;
+  std::string last_error;
+};
+
+[[nodiscard]] NodeReport report_of(const NodeStatus& status);
+
+class StatusPublisher {
+ public:
+  explicit StatusPublisher(Stream& stream) : writer_(stream, "") {}
+  void publish(const NodeReport& report);
+
+ private:
+  Writer<NodeStatus> writer_;
+};
+
+}  // namespace cleave

@@ -1,0 +1,40 @@
+// Sleeping until a reader has samples, or until another thread says that it is time to stop.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "libcleave/raw_reader.hpp"
+#include "libcleave/reader.hpp"
+
+namespace cleave {
+
+// Attach before the first wait; destroy before the attached readers.
+class WaitSet {
+ public:
+  WaitSet();
+  ~WaitSet();
+  WaitSet(const WaitSet&) = delete;
+  WaitSet& operator=(const WaitSet&) = delete;
+
+  template <class T>
+  void attach(const Reader<T>& reader) {
+    attach(reader.raw());
+  }
+
+  // Returns when an attached reader has samples, after wake(), or after `timeout`; true if not the
+  // timeout. May return early: check the readers.
+  bool wait(std::chrono::milliseconds timeout);
+
+  // Ends the current wait, or the next one. From any thread.
+  void wake();
+
+ private:
+  void attach(const RawReader& reader);
+  std::int32_t wait_set_;
+  std::int32_t guard_;
+  std::vector<std::int32_t> conditions_;
+};
+
+}  // namespace cleave

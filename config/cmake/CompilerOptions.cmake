@@ -1,0 +1,35 @@
+# One place for how every target of ours is compiled.
+set(CLEAVE_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE}")
+endif()
+
+# cleave_compile_options(target): C++20, warnings as errors, and floating point that gives the
+# same labels everywhere: contraction to fused multiply-add would make them depend on the machine.
+function(cleave_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wconversion -Werror -ffp-contract=off)
+  if(CLEAVE_SANITIZE)
+    target_compile_options(${target} PUBLIC
+      -fsanitize=${CLEAVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=${CLEAVE_SANITIZE})
+  endif()
+endfunction()
+
+# cleave_library(name SOURCES...): a static library named cleave_<name>, usable as cleave::<name>.
+function(cleave_library name)
+  add_library(cleave_${name} STATIC ${ARGN})
+  add_library(cleave::${name} ALIAS cleave_${name})
+  cleave_compile_options(cleave_${name})
+endfunction()
+
+# cleave_program(name SOURCES...): an executable in bin/.
+function(cleave_program name)
+  add_executable(${name} ${ARGN})
+  cleave_compile_options(${name})
+endfunction()

@@ -1,0 +1,59 @@
+# Every dependency is a Debian 12 package; a missing one is named with the command that installs it.
+
+# cleave_find(<CMake package> <Debian package> [extra find_package arguments...])
+macro(cleave_find package debian_package)
+  find_package(${package} ${ARGN} QUIET)
+  if(NOT ${package}_FOUND)
+    message(FATAL_ERROR
+      "${package} was not found. It is in Debian's ${debian_package}:\n"
+      "  apt-get install ${debian_package}")
+  endif()
+endmacro()
+
+cleave_find(CycloneDDS cyclonedds-dev)
+cleave_find(Eigen3 libeigen3-dev 3.4)
+set(spectra_DIR /usr/share/spectra/cmake CACHE PATH "Where Debian puts it")
+cleave_find(spectra libspectra-dev)
+cleave_find(yaml-cpp libyaml-cpp-dev 0.7)
+cleave_find(spdlog libspdlog-dev)
+cleave_find(CLI11 libcli11-dev)
+cleave_find(nlohmann_json nlohmann-json3-dev)
+cleave_find(PNG libpng-dev)
+cleave_find(GTest libgtest-dev)
+
+# These bring no CMake package in Debian 12, or (PCL) one that drags in VTK and Qt.
+macro(cleave_require variable what debian_package)
+  if(NOT ${variable})
+    message(FATAL_ERROR
+      "${what} was not found. It is in Debian's ${debian_package}:\n"
+      "  apt-get install ${debian_package}")
+  endif()
+endmacro()
+
+find_program(IDLC idlc)
+cleave_require(IDLC "idlc, the IDL compiler," cyclonedds-tools)
+
+find_path(OPENNI2_INCLUDE_DIR OpenNI.h PATH_SUFFIXES openni2)
+find_library(OPENNI2_LIBRARY OpenNI2)
+cleave_require(OPENNI2_INCLUDE_DIR "OpenNI2" libopenni2-dev)
+cleave_require(OPENNI2_LIBRARY "OpenNI2" libopenni2-dev)
+add_library(cleave_openni2 INTERFACE)
+target_include_directories(cleave_openni2 SYSTEM INTERFACE "${OPENNI2_INCLUDE_DIR}")
+target_link_libraries(cleave_openni2 INTERFACE "${OPENNI2_LIBRARY}")
+
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+cleave_require(CHOLMOD_INCLUDE_DIR "CHOLMOD" libsuitesparse-dev)
+cleave_require(CHOLMOD_LIBRARY "CHOLMOD" libsuitesparse-dev)
+add_library(cleave_cholmod INTERFACE)
+target_include_directories(cleave_cholmod SYSTEM INTERFACE "${CHOLMOD_INCLUDE_DIR}")
+target_link_libraries(cleave_cholmod INTERFACE "${CHOLMOD_LIBRARY}")
+
+find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.12)
+find_library(PCL_COMMON_LIBRARY pcl_common)
+find_library(PCL_IO_LIBRARY pcl_io)
+cleave_require(PCL_INCLUDE_DIR "PCL" libpcl-dev)
+cleave_require(PCL_IO_LIBRARY "PCL" libpcl-dev)
+add_library(cleave_pcl_io INTERFACE)
+target_include_directories(cleave_pcl_io SYSTEM INTERFACE "${PCL_INCLUDE_DIR}")
+target_link_libraries(cleave_pcl_io INTERFACE "${PCL_IO_LIBRARY}" "${PCL_COMMON_LIBRARY}" Eigen3::Eigen)

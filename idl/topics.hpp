@@ -1,0 +1,33 @@
+// Names of the topics, and the rule for the one part of them that a user chooses.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace cleave {
+
+inline constexpr std::size_t max_sensor_name_length = 63;  // char sensor[64] in the contract
+
+inline std::string cloud_topic(std::string_view sensor) {
+  return "cleave/" + std::string(sensor) + "/cloud";
+}
+inline std::string labels_topic(std::string_view sensor) {
+  return "cleave/" + std::string(sensor) + "/labels";
+}
+inline std::string segments_topic(std::string_view sensor) {
+  return "cleave/" + std::string(sensor) + "/segments";
+}
+inline constexpr std::string_view status_topic = "cleave/status";
+
+// A sensor's name is part of topic names: 1 to 63 letters, digits, '_' or '-'.
+inline bool is_valid_sensor_name(std::string_view name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !name.empty() && name.size() <= max_sensor_name_length &&
+         std::all_of(name.begin(), name.end(), allowed);
+}
+
+}  // namespace cleave
