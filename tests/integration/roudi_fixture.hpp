@@ -11,17 +11,14 @@ namespace cleave::test {
 // process id, on destruction. Throws when a RouDi that is not a test's answers already.
 class RouDi {
  public:
-  RouDi();
-  ~RouDi();
-  RouDi(const RouDi&) = delete;
-  RouDi& operator=(const RouDi&) = delete;
+  RouDi() { start(); }
 
   void start();
   void kill();  // -9: its socket and segments stay behind, as after a crash
   [[nodiscard]] pid_t id() const { return process_->id(); }
 
  private:
-  int lock_;
+  RouDiLock lock_;
   std::unique_ptr<Process> process_;
 };
 
