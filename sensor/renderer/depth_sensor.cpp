@@ -69,18 +69,18 @@ struct FrameNoise {
   }
 
   float disparity(std::size_t i) const {
-    return 0.60F * low[i] + 0.60F * middle[i] + 0.20F * fine[i] + 0.15F * white[i];
+    return 0.63F * low[i] + 0.57F * middle[i] + 0.20F * fine[i] + 0.15F * white[i];
   }
 
-  // The pixel whose rays the camera takes for pixel (x, y) near an edge; -1 = outside.
-  std::int64_t looked_up(std::int64_t x, std::int64_t y, std::int64_t width,
-                         std::int64_t height) const {
+  // The pixel whose rays the camera takes for pixel (x, y) near an edge.
+  std::size_t looked_up(std::int64_t x, std::int64_t y, std::int64_t width,
+                        std::int64_t height) const {
     constexpr float shift_px = 0.7F;
     const auto i = static_cast<std::size_t>(y * width + x);
     const std::int64_t column = x + std::lround(shift_px * shift_x[i]);
     const std::int64_t row = y + std::lround(shift_px * shift_y[i]);
-    if (column < 0 || row < 0 || column >= width || row >= height) return -1;
-    return row * width + column;
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(row, 0, height - 1) * width +
+                                    std::clamp<std::int64_t>(column, 0, width - 1));
   }
 
   bool loses(std::size_t i, float cosine, float edge_share) const {
@@ -121,10 +121,8 @@ LabelledDepth DepthSensor::measure(std::uint64_t noise_seed) const {
   std::size_t i = 0;
   for (std::uint32_t y = 0; y < height_; ++y) {
     for (std::uint32_t x = 0; x < width_; ++x, ++i) {
-      const std::int64_t source = noise.looked_up(x, y, width_, height_);
-      if (source < 0) continue;
+      const Pixel& shifted = pixels_[noise.looked_up(x, y, width_, height_)];
       const Pixel& own = pixels_[i];
-      const Pixel& shifted = pixels_[static_cast<std::size_t>(source)];
       // Only edges are displaced: within a surface the shift would be noise of its own.
       const bool within_surface = own.label != 0 && own.surface == shifted.surface &&
                                   std::abs(own.depth_m - shifted.depth_m) < 0.02F;
