@@ -39,9 +39,12 @@ FrameHeader answerable(FrameHeader header, std::string_view sensor) {
 
 std::optional<RejectCause> reject_cause(segmentation::Outcome outcome) {
   switch (outcome) {
-    case segmentation::Outcome::segmented: return std::nullopt;
-    case segmentation::Outcome::bad_size: return RejectCause::bad_size;
-    case segmentation::Outcome::no_finite_point: break;
+    case segmentation::Outcome::segmented:
+      return std::nullopt;
+    case segmentation::Outcome::bad_size:
+      return RejectCause::bad_size;
+    case segmentation::Outcome::no_finite_point:
+      break;
   }
   return RejectCause::no_finite_point;
 }
@@ -49,9 +52,12 @@ std::optional<RejectCause> reject_cause(segmentation::Outcome outcome) {
 cleave_v1_FrameOutcome wire_outcome(std::optional<RejectCause> cause) {
   if (!cause) return cleave_v1_OUTCOME_SEGMENTED;
   switch (*cause) {
-    case RejectCause::bad_size: return cleave_v1_OUTCOME_REJECTED_BAD_SIZE;
-    case RejectCause::bad_header: return cleave_v1_OUTCOME_REJECTED_BAD_HEADER;
-    case RejectCause::no_finite_point: break;
+    case RejectCause::bad_size:
+      return cleave_v1_OUTCOME_REJECTED_BAD_SIZE;
+    case RejectCause::bad_header:
+      return cleave_v1_OUTCOME_REJECTED_BAD_HEADER;
+    case RejectCause::no_finite_point:
+      break;
   }
   return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
 }

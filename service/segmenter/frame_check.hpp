@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "libcleave/types.hpp"
-#include "segmenter/causes.hpp"
 #include "segmentation/segmentation.hpp"
+#include "segmenter/causes.hpp"
 
 namespace cleave::service {
 

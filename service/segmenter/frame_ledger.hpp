@@ -24,8 +24,9 @@ struct FrameCounts {
   std::uint64_t in_flight = 0;
   std::array<std::uint64_t, drop_cause_names.size()> dropped{};
   std::array<std::uint64_t, reject_cause_names.size()> rejected{};
-  std::uint64_t zero_copy = 0;   // of the received, handed over in shared memory
-  std::uint64_t duplicates = 0;  // resends of frames that were already counted; in none of the above
+  std::uint64_t zero_copy = 0;  // of the received, handed over in shared memory
+  std::uint64_t duplicates =
+      0;  // resends of frames that were already counted; in none of the above
 
   [[nodiscard]] std::uint64_t dropped_total() const;
   [[nodiscard]] std::uint64_t rejected_total() const;

@@ -100,8 +100,7 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
 // Reads the points, and writes the labels, where the transport has them.
 std::optional<RejectCause> FramePipeline::segment_into(FinishedFrame& finished, const Frame& frame,
                                                        const SegmentFunction& segment) {
-  const segmentation::CloudView cloud{frame.cloud->xyz, 3, frame.header.width,
-                                      frame.header.height};
+  const segmentation::CloudView cloud{frame.cloud->xyz, 3, frame.header.width, frame.header.height};
   const std::span<std::uint16_t> labels(finished.labels->map().label, cloud.size());
   return reject_cause(segment(cloud, labels, finished.segmentation));
 }

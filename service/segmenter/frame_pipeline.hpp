@@ -63,8 +63,7 @@ class FramePipeline {
   void enqueue(const FrameHeader& header, std::shared_ptr<const DepthCloud> cloud);
   void work(const SegmentFunction& segment);
   void process(FrameQueue<Frame>::Taken taken, const SegmentFunction& segment);
-  [[nodiscard]] std::optional<RejectCause> segment_into(FinishedFrame& finished,
-                                                        const Frame& frame,
+  [[nodiscard]] std::optional<RejectCause> segment_into(FinishedFrame& finished, const Frame& frame,
                                                         const SegmentFunction& segment);
   void drop(const Frame& frame, DropCause cause);
   void report_drop(const Frame& frame, const std::string& why);

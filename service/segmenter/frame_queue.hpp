@@ -54,9 +54,7 @@ class FrameQueue {
   // The oldest waiting frame; waits for one, and for a place. Empty once closed and drained.
   [[nodiscard]] std::optional<Taken> take() {
     std::unique_lock lock(mutex_);
-    work_.wait(lock, [&] {
-      return waiting_.empty() ? closed_ : in_work_ < places_;
-    });
+    work_.wait(lock, [&] { return waiting_.empty() ? closed_ : in_work_ < places_; });
     if (waiting_.empty()) return std::nullopt;
     ++in_work_;
     Taken taken{std::move(waiting_.front()), Place(this)};

@@ -21,7 +21,8 @@ class InOrderPublisher {
 
   // `publish` is called by whichever thread completes the order: one call at a time, in the order
   // of the tickets. It must not throw and must not come back here.
-  // At most `capacity` tickets are out, so that a flood of frames that need no worker stays bounded.
+  // At most `capacity` tickets are out, so that a flood of frames that need no worker stays
+  // bounded.
   InOrderPublisher(std::size_t capacity, std::function<void(Result&)> publish)
       : capacity_(capacity), publish_(std::move(publish)) {}
 
@@ -48,8 +49,8 @@ class InOrderPublisher {
   }
 
  private:
-  // The lock is open during publish_: others hand in their results meanwhile, and this thread, which
-  // looks again afterwards, publishes them too.
+  // The lock is open during publish_: others hand in their results meanwhile, and this thread,
+  // which looks again afterwards, publishes them too.
   void publish_ready(std::unique_lock<std::mutex>& lock) {
     if (publishing_) return;
     publishing_ = true;
@@ -68,7 +69,7 @@ class InOrderPublisher {
 
   const std::size_t capacity_;
   const std::function<void(Result&)> publish_;
-  std::mutex mutex_;  // guards the three below
+  std::mutex mutex_;                                     // guards the three below
   std::map<Ticket, std::optional<Result>> outstanding_;  // empty: not finished
   Ticket next_ = 0;
   bool publishing_ = false;

@@ -13,8 +13,7 @@ void ProblemLog::report(Severity severity, LogLimiter& limiter, const std::strin
   }
   std::uint64_t suppressed = 0;
   if (!limiter.allow(suppressed)) return;
-  const auto level =
-      severity == Severity::error ? spdlog::level::err : spdlog::level::warn;
+  const auto level = severity == Severity::error ? spdlog::level::err : spdlog::level::warn;
   if (suppressed == 0) {
     spdlog::log(level, "{}", what);
   } else {

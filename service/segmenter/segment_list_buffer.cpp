@@ -6,7 +6,9 @@
 namespace cleave::service {
 namespace {
 
-cleave_v1_Point message_of(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+cleave_v1_Point message_of(const Eigen::Vector3f& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 cleave_v1_Quaternion message_of(const Eigen::Quaternionf& q) {
   return {q.x(), q.y(), q.z(), q.w()};
