@@ -94,8 +94,8 @@ void paint(DepthImage& image, float column, float row, int edge, float depth_m,
   const int top = static_cast<int>(std::lround(row)) - edge / 2;
   for (int y = std::max(top, 0); y < std::min(top + edge, int{projection_height}); ++y) {
     for (int x = std::max(left, 0); x < std::min(left + edge, int{projection_width}); ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * projection_width +
-                                static_cast<std::size_t>(x);
+      const std::size_t pixel =
+          static_cast<std::size_t>(y) * projection_width + static_cast<std::size_t>(x);
       if (image.depth_m[pixel] <= depth_m) continue;  // false where nothing is painted yet: NaN
       image.depth_m[pixel] = depth_m;
       image.label[pixel] = label;

@@ -38,9 +38,9 @@ void check_compressed(const std::filesystem::path& file, const PcdHeader& header
     if (field.name != "_") stored_point_bytes += field.bytes();
   }
   if (compressed > available - sizeof(sizes)) {
-    refuse_truncated(file, header, "its compressed block of " + std::to_string(compressed) +
-                                       " bytes ends after " +
-                                       std::to_string(available - sizeof(sizes)));
+    refuse_truncated(file, header,
+                     "its compressed block of " + std::to_string(compressed) +
+                         " bytes ends after " + std::to_string(available - sizeof(sizes)));
   }
   if (stored_point_bytes == 0 || uncompressed % stored_point_bytes != 0 ||
       uncompressed / stored_point_bytes != header.points()) {
@@ -48,8 +48,9 @@ void check_compressed(const std::filesystem::path& file, const PcdHeader& header
                      "its compressed block unpacks to " + std::to_string(uncompressed) + " bytes");
   }
   if (uncompressed / lzf_largest_ratio > compressed) {
-    refuse_truncated(file, header, "its compressed block of " + std::to_string(compressed) +
-                                       " bytes cannot unpack to " + std::to_string(uncompressed));
+    refuse_truncated(file, header,
+                     "its compressed block of " + std::to_string(compressed) +
+                         " bytes cannot unpack to " + std::to_string(uncompressed));
   }
 }
 

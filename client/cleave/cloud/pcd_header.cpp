@@ -77,8 +77,8 @@ Number number(const std::string& word, const std::string& key, const Refusal& re
 
 void check_field(const PcdField& field, const Refusal& refuse) {
   const bool integer = field.type == 'I' || field.type == 'U';
-  const bool size_known = field.size == 8 || field.size == 4 ||
-                          (integer && (field.size == 1 || field.size == 2));
+  const bool size_known =
+      field.size == 8 || field.size == 4 || (integer && (field.size == 1 || field.size == 2));
   if ((!integer && field.type != 'F') || !size_known) {
     refuse("field " + field.name + " has TYPE " + field.type + " and SIZE " +
            std::to_string(field.size) + "; known are I and U of 1, 2, 4, 8 bytes and F of 4, 8");
@@ -97,8 +97,8 @@ std::vector<PcdField> fields_of(const HeaderLines& lines, const Refusal& refuse)
       lines.values.contains("COUNT") ? lines.values.at("COUNT") : Words(names.size(), "1");
   if (sizes.size() != names.size() || types.size() != names.size() ||
       counts.size() != names.size()) {
-    refuse("the header's FIELDS, SIZE, TYPE and COUNT have " + std::to_string(names.size()) +
-           ", " + std::to_string(sizes.size()) + ", " + std::to_string(types.size()) + " and " +
+    refuse("the header's FIELDS, SIZE, TYPE and COUNT have " + std::to_string(names.size()) + ", " +
+           std::to_string(sizes.size()) + ", " + std::to_string(types.size()) + " and " +
            std::to_string(counts.size()) + " entries; they must have as many each");
   }
   std::vector<PcdField> fields;

@@ -19,8 +19,8 @@ class PcdError : public std::runtime_error {
 };
 
 struct PcdField {
-  std::string name;  // "_" is padding
-  char type;         // I signed, U unsigned, F floating point
+  std::string name;     // "_" is padding
+  char type;            // I signed, U unsigned, F floating point
   std::uint32_t size;   // bytes of one element: 1, 2, 4 or 8
   std::uint32_t count;  // elements a point
   [[nodiscard]] std::size_t bytes() const { return std::size_t{size} * count; }
@@ -31,7 +31,7 @@ enum class PcdEncoding { ascii, binary, binary_compressed };
 struct PcdHeader {
   std::vector<PcdField> fields;
   std::uint32_t width = 0;
-  std::uint32_t height = 0;  // 1 = unorganised
+  std::uint32_t height = 0;                 // 1 = unorganised
   std::string viewpoint = "0 0 0 1 0 0 0";  // as written: translation and quaternion w x y z
   PcdEncoding encoding = PcdEncoding::ascii;
   std::size_t data_offset = 0;  // where the points begin in the file

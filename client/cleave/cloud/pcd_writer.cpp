@@ -46,7 +46,8 @@ std::vector<std::uint8_t> by_field(const PcdCloud& cloud) {
   return result;
 }
 
-// The two sizes and the LZF block; empty if LZF cannot make the points smaller or count their bytes.
+// The two sizes and the LZF block; empty if LZF cannot make the points smaller or count their
+// bytes.
 std::vector<std::uint8_t> compressed(const PcdCloud& cloud) {
   constexpr std::size_t prefix = 2 * sizeof(std::uint32_t);
   const std::size_t size = cloud.data().size();

@@ -47,8 +47,9 @@ std::vector<std::uint8_t> read_points_with_pcl(const std::filesystem::path& file
                                                const PcdHeader& header) {
   const pcl::PCLPointCloud2 cloud = read_with_pcl(file);
   if (!same_layout(cloud, header)) {
-    throw PcdError(file.string() + ": PCL reads another layout than the header describes; "
-                                   "write the file anew");
+    throw PcdError(file.string() +
+                   ": PCL reads another layout than the header describes; "
+                   "write the file anew");
   }
   std::vector<std::uint8_t> data;
   data.reserve(cloud.data.size());

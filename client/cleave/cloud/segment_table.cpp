@@ -23,7 +23,7 @@ std::string neighbours_of(const Segment& segment, const std::vector<Border>& bor
 }
 
 Json json_of(const Eigen::Vector3f& v) {
-  return {v.x(), v.y(), v.z()};
+  return {decimal(v.x()), decimal(v.y()), decimal(v.z())};
 }
 
 }  // namespace
@@ -36,12 +36,12 @@ std::string segment_table(const segmentation::Segmentation& segmentation) {
                {"planarity", Align::right},
                {"touches (+ convex)", Align::left}});
   for (const Segment& s : segmentation.segments) {
-    table.add_row({fmt::format("{}", s.label), fmt::format("{}", s.point_count),
-                   fmt::format("{:.3f} {:.3f} {:.3f}", s.centroid.x(), s.centroid.y(),
-                               s.centroid.z()),
-                   fmt::format("{:.3f} x {:.3f} x {:.3f}", s.box.extent.x(), s.box.extent.y(),
-                               s.box.extent.z()),
-                   fmt::format("{:.2f}", s.planarity), neighbours_of(s, segmentation.borders)});
+    table.add_row(
+        {fmt::format("{}", s.label), fmt::format("{}", s.point_count),
+         fmt::format("{:.3f} {:.3f} {:.3f}", s.centroid.x(), s.centroid.y(), s.centroid.z()),
+         fmt::format("{:.3f} x {:.3f} x {:.3f}", s.box.extent.x(), s.box.extent.y(),
+                     s.box.extent.z()),
+         fmt::format("{:.2f}", s.planarity), neighbours_of(s, segmentation.borders)});
   }
   return table.to_string();
 }
@@ -54,14 +54,14 @@ Json json_of(const Segment& s) {
           {"mean_normal", json_of(s.mean_normal)},
           {"box",
            {{"centre", json_of(s.box.centre)},
-            {"orientation", {q.x(), q.y(), q.z(), q.w()}},
+            {"orientation", {decimal(q.x()), decimal(q.y()), decimal(q.z()), decimal(q.w())}},
             {"extent", json_of(s.box.extent)}}},
           {"rectangle",
            {{"left", s.rectangle.left},
             {"top", s.rectangle.top},
             {"right", s.rectangle.right},
             {"bottom", s.rectangle.bottom}}},
-          {"planarity", s.planarity}};
+          {"planarity", decimal(s.planarity)}};
 }
 
 Json json_of(const Border& border) {

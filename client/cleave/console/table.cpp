@@ -10,7 +10,9 @@ constexpr std::size_t gap_columns = 2;
 
 // Code points, which is what a terminal shows as columns for the text that we print.
 std::size_t displayed_width(std::string_view text) {
-  const auto begins_code_point = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const auto begins_code_point = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  };
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins_code_point));
 }
 
