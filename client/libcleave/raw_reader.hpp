@@ -19,13 +19,13 @@ struct ReaderDepth {
 // what came over the network. Must not outlive its reader.
 class RawSample {
  public:
-  RawSample(void* serdata, const void* data, void* owned, const Topic* topic)
-      : serdata_(serdata), data_(data), owned_(owned), topic_(topic) {}
+  RawSample(void* serdata, const void* data, void* owned, const dds_topic_descriptor_t* descriptor)
+      : serdata_(serdata), data_(data), owned_(owned), descriptor_(descriptor) {}
   RawSample(RawSample&& other) noexcept
       : serdata_(std::exchange(other.serdata_, nullptr)),
         data_(std::exchange(other.data_, nullptr)),
         owned_(std::exchange(other.owned_, nullptr)),
-        topic_(other.topic_) {}
+        descriptor_(other.descriptor_) {}
   RawSample& operator=(RawSample&& other) noexcept;
   ~RawSample() { release(); }
 
@@ -36,8 +36,8 @@ class RawSample {
   void release() noexcept;
   void* serdata_;  // ddsi_serdata that keeps the chunk
   const void* data_;
-  void* owned_;    // heap copy, for samples from the network
-  const Topic* topic_;
+  void* owned_;  // heap copy, for samples from the network
+  const dds_topic_descriptor_t* descriptor_;
 };
 
 class RawReader {

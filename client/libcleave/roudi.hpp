@@ -5,14 +5,14 @@
 
 namespace cleave {
 
-// Asks RouDi's socket; never blocks. Creating a shared-memory participant without RouDi blocks for a
-// minute and then aborts the process, so ask first.
+// Asks RouDi's socket; never blocks. Creating a shared-memory participant without RouDi blocks for
+// a minute and then aborts the process, so ask first.
 [[nodiscard]] bool roudi_answers();
 
 enum class RouDiState {
-  present,   // the one that was there when the watch began
-  gone,      // what is connected keeps flowing; nobody new can join
-  replaced   // another one runs: this process is cut off from all that joined it, and must restart
+  present,  // the one that was there when the watch began
+  gone,     // what is connected keeps flowing; nobody new can join
+  replaced  // another one runs: this process is cut off from all that joined it, and must restart
 };
 
 // Remembers the RouDi of its construction.
@@ -23,7 +23,6 @@ class RouDiWatch {
 
  private:
   std::uint64_t identity_;  // of RouDi's socket file
-  bool seen_gone_ = false;
 };
 
 }  // namespace cleave

@@ -27,8 +27,8 @@ struct StreamOptions {
 // before it. One a process: iceoryx knows processes, not objects.
 class Stream {
  public:
-  // Throws std::runtime_error that says what failed and what to do. Never blocks on a missing RouDi:
-  // it is probed first, and without one the bulk domain uses the network, said in the log.
+  // Throws std::runtime_error that says what failed and what to do. Never blocks on a missing
+  // RouDi: it is probed first, and without one the bulk domain uses the network, said in the log.
   explicit Stream(const StreamOptions& options);
   ~Stream();
   Stream(const Stream&) = delete;

@@ -1,4 +1,5 @@
-// The contract's types under C++ names, and what each needs to travel: domain and quality of service.
+// The contract's types under C++ names, and what each needs to travel: domain and quality of
+// service.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "libcleave/raw_reader.hpp"
 #include "libcleave/reader.hpp"
@@ -32,9 +31,8 @@ class WaitSet {
 
  private:
   void attach(const RawReader& reader);
-  std::int32_t wait_set_;
-  std::int32_t guard_;
-  std::vector<std::int32_t> conditions_;
+  struct State;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace cleave

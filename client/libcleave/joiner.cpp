@@ -1,0 +1,66 @@
+#include "libcleave/joiner.hpp"
+
+namespace cleave {
+namespace {
+
+bool same_frame(const FrameHeader& a, const FrameHeader& b) {
+  return a.epoch == b.epoch && a.frame_id == b.frame_id;
+}
+
+// The partner of `frame`, taken out of `waiting` together with everything before it.
+template <class T>
+std::optional<Sample<T>> take_partner(std::deque<Sample<T>>& waiting, const FrameHeader& frame,
+                                      std::uint64_t& given_up) {
+  std::size_t i = 0;
+  while (i < waiting.size() && !same_frame(waiting[i]->header, frame)) ++i;
+  if (i == waiting.size()) return std::nullopt;
+  Sample<T> partner = std::move(waiting[i]);
+  waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  given_up += i;
+  return partner;
+}
+
+// Those before a completed frame cannot be completed any more: each topic is in order.
+template <class T>
+void give_up_before(std::deque<Sample<T>>& waiting, const FrameHeader& frame,
+                    std::uint64_t& given_up) {
+  while (!waiting.empty() && waiting.front()->header.epoch == frame.epoch &&
+         waiting.front()->header.frame_id < frame.frame_id) {
+    waiting.pop_front();
+    ++given_up;
+  }
+}
+
+template <class T>
+void keep(std::deque<Sample<T>>& waiting, Sample<T> sample, std::size_t capacity,
+          std::uint64_t& given_up) {
+  waiting.push_back(std::move(sample));
+  if (waiting.size() > capacity) {
+    waiting.pop_front();
+    ++given_up;
+  }
+}
+
+}  // namespace
+
+std::optional<JoinedFrame> Joiner::add(Sample<DepthCloud> cloud) {
+  const FrameHeader& frame = cloud->header;
+  if (auto labels = take_partner(labels_, frame, unpaired_)) {
+    give_up_before(clouds_, frame, unpaired_);
+    return JoinedFrame{std::move(cloud), std::move(*labels)};
+  }
+  keep(clouds_, std::move(cloud), capacity_, unpaired_);
+  return std::nullopt;
+}
+
+std::optional<JoinedFrame> Joiner::add(Sample<LabelMap> labels) {
+  const FrameHeader& frame = labels->header;
+  if (auto cloud = take_partner(clouds_, frame, unpaired_)) {
+    give_up_before(labels_, frame, unpaired_);
+    return JoinedFrame{std::move(*cloud), std::move(labels)};
+  }
+  keep(labels_, std::move(labels), capacity_, unpaired_);
+  return std::nullopt;
+}
+
+}  // namespace cleave

@@ -1,0 +1,125 @@
+#include "libcleave/stream.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "libcleave/dds.hpp"
+#include "libcleave/roudi.hpp"
+
+namespace cleave {
+namespace {
+
+constexpr std::uint32_t bulk_domain_offset = 100;
+constexpr std::uint32_t max_domain = 99;
+
+// Discovery by unicast between the processes of this machine; on another interface, by multicast.
+std::string network_xml(const std::string& interface) {
+  const bool loopback = interface == "lo" || interface == "127.0.0.1";
+  std::string xml = "<General><Interfaces><NetworkInterface ";
+  xml += interface.find_first_not_of("0123456789.") == std::string::npos ? "address" : "name";
+  xml += "=\"" + interface + "\"";
+  xml += loopback ? " multicast=\"false\"/></Interfaces><AllowMulticast>false</AllowMulticast>"
+                  : "/></Interfaces>";
+  // Large fragments: with the default ones a cloud of 3.7 MB loses pieces over loopback.
+  xml +=
+      "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>65000B</FragmentSize></General>"
+      "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+      "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex>";
+  if (loopback) xml += "<Peers><Peer address=\"127.0.0.1\"/></Peers>";
+  xml +=
+      "</Discovery><Internal><SocketReceiveBufferSize min=\"default\" max=\"4MB\"/></Internal>"
+      "<Tracing><Verbosity>warning</Verbosity><OutputFile>stderr</OutputFile></Tracing>";
+  return xml;
+}
+
+std::string shared_memory_xml(bool enabled, std::uint32_t domain) {
+  if (!enabled) return "<SharedMemory><Enable>false</Enable></SharedMemory>";
+  return "<SharedMemory><Enable>true</Enable><Prefix>CLEAVE_D" + std::to_string(domain) +
+         "</Prefix><LogLevel>error</LogLevel></SharedMemory>";
+}
+
+dds::Entity open_domain(std::uint32_t id, const std::string& interface, bool shared_memory) {
+  const std::string xml = "<CycloneDDS xmlns=\"https://cdds.io/config\"><Domain id=\"any\">" +
+                          network_xml(interface) + shared_memory_xml(shared_memory, id) +
+                          "</Domain></CycloneDDS>";
+  return {dds_create_domain(id, xml.c_str()),
+          "cannot open DDS domain " + std::to_string(id) + " on interface '" + interface +
+              "' (does the interface exist? `ip address` lists them)"};
+}
+
+dds::Entity join(std::uint32_t id) {
+  return {dds_create_participant(id, nullptr, nullptr),
+          "cannot join DDS domain " + std::to_string(id) +
+              " (more than 60 processes on it, or its UDP ports are taken)"};
+}
+
+}  // namespace
+
+StreamOptions with_environment(StreamOptions options) {
+  const char* const text = std::getenv("CLEAVE_DOMAIN");
+  if (text == nullptr) return options;
+  const char* const end = text + std::strlen(text);
+  const auto [last, error] = std::from_chars(text, end, options.domain);
+  if (error != std::errc{} || last != end || options.domain > max_domain) {
+    throw std::invalid_argument("CLEAVE_DOMAIN: expected a number from 0 to 99, found '" +
+                                std::string(text) + "'");
+  }
+  return options;
+}
+
+struct Stream::State {
+  StreamOptions options;
+  Transport transport = Transport::network;
+  std::string reason;
+  dds::Entity bulk_domain, public_domain;  // destroyed after their participants
+  dds::Entity bulk_participant, public_participant;
+};
+
+Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>()) {
+  if (options.domain > max_domain) {
+    throw std::runtime_error("domain " + std::to_string(options.domain) + " is not from 0 to 99");
+  }
+  State& s = *state_;
+  s.options = options;
+  if (!options.shared_memory) {
+    s.reason = "switched off by configuration";
+  } else if (!roudi_answers()) {
+    s.reason = "no RouDi answers at /tmp/roudi";
+    spdlog::warn(
+        "{}: clouds and label maps are copied over the network; start "
+        "`iox-roudi -c config/roudi.toml` and restart for zero copy",
+        s.reason);
+  } else {
+    s.transport = Transport::shared_memory;
+    s.reason = "RouDi answers";
+  }
+  const std::uint32_t bulk = options.domain + bulk_domain_offset;
+  s.bulk_domain = open_domain(bulk, "lo", s.transport == Transport::shared_memory);
+  s.public_domain = open_domain(options.domain, options.public_interface, false);
+  s.bulk_participant = join(bulk);
+  s.public_participant = join(options.domain);
+}
+
+Stream::~Stream() = default;
+
+Transport Stream::transport() const {
+  return state_->transport;
+}
+const std::string& Stream::transport_reason() const {
+  return state_->reason;
+}
+const StreamOptions& Stream::options() const {
+  return state_->options;
+}
+std::int32_t Stream::bulk_participant() const {
+  return state_->bulk_participant.get();
+}
+std::int32_t Stream::public_participant() const {
+  return state_->public_participant.get();
+}
+
+}  // namespace cleave

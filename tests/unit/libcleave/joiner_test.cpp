@@ -1,0 +1,59 @@
+#include "libcleave/joiner.hpp"
+
+#include <dds/dds.h>
+#include <gtest/gtest.h>
+
+#include "libcleave/topic.hpp"
+
+namespace cleave {
+namespace {
+
+template <class T>
+Sample<T> sample(std::uint32_t epoch, std::uint64_t frame_id) {
+  const auto* const descriptor = topic_of<T>("x").descriptor;
+  void* const memory = dds_alloc(sizeof(T));
+  static_cast<T*>(memory)->header.epoch = epoch;
+  static_cast<T*>(memory)->header.frame_id = frame_id;
+  return Sample<T>(RawSample(nullptr, memory, memory, descriptor));
+}
+
+TEST(Joiner, PairsACloudWithTheLabelsThatFollowIt) {
+  Joiner joiner;
+  EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, 5)));
+  const auto frame = joiner.add(sample<LabelMap>(1, 5));
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->cloud->header.frame_id, 5U);
+  EXPECT_EQ(frame->labels->header.frame_id, 5U);
+}
+
+TEST(Joiner, PairsLabelsThatCameBeforeTheirCloud) {
+  Joiner joiner;
+  EXPECT_FALSE(joiner.add(sample<LabelMap>(1, 5)));
+  EXPECT_TRUE(joiner.add(sample<DepthCloud>(1, 5)));
+}
+
+TEST(Joiner, DoesNotPairAcrossEpochs) {
+  Joiner joiner;
+  EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, 5)));
+  EXPECT_FALSE(joiner.add(sample<LabelMap>(2, 5)));
+}
+
+TEST(Joiner, GivesUpWhatIsOlderThanACompletedFrame) {
+  Joiner joiner;
+  EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, 1)));
+  EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, 2)));
+  EXPECT_TRUE(joiner.add(sample<LabelMap>(1, 2)));
+  EXPECT_EQ(joiner.unpaired(), 1U);
+  EXPECT_FALSE(joiner.add(sample<LabelMap>(1, 1)));
+}
+
+TEST(Joiner, HoldsNoMoreThanItsCapacity) {
+  Joiner joiner(2);
+  for (std::uint64_t id = 1; id <= 3; ++id) EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, id)));
+  EXPECT_EQ(joiner.unpaired(), 1U);
+  EXPECT_FALSE(joiner.add(sample<LabelMap>(1, 1)));
+  EXPECT_TRUE(joiner.add(sample<LabelMap>(1, 2)));
+}
+
+}  // namespace
+}  // namespace cleave
