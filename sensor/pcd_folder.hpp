@@ -10,7 +10,7 @@ namespace cleave::sensor {
 struct PcdFiles {
   std::vector<std::filesystem::path> files;   // *.pcd in natural order
   std::vector<std::filesystem::path> others;  // files with other extensions, in natural order
-  std::string failure;  // why the path cannot be looked into; empty if it can
+  std::string failure;                        // why the path cannot be looked into; empty if it can
 };
 
 // A folder's files, not those of folders in it, or the one file that the path names.

@@ -25,25 +25,36 @@ using Problem = std::optional<PcdProblem>;
 constexpr std::array<std::string_view, 10> keywords = {
     "VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
 
-// The lines up to DATA, and where the data begins; nothing if a line is not one of a PCD header, or
-// a second one of its kind (PCL would believe the other one), or if there is no DATA.
-std::optional<std::uint64_t> read_entries(std::istream& stream, Entries& entries) {
+PcdProblem bad_header(const std::string& detail) {
+  return {"bad header", detail};
+}
+
+// The lines up to DATA, and where the data begins. A second line of a kind is refused: PCL might
+// believe the other one.
+Problem read_entries(std::istream& stream, Entries& entries, std::uint64_t& data_begin) {
   std::string head(max_header_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
+  stream.clear();  // a short file was read to its end
   std::size_t begin = 0;
   for (std::size_t end = 0; (end = head.find('\n', begin)) != std::string::npos; begin = end + 1) {
     std::istringstream line(head.substr(begin, end - begin));
     std::string keyword;
     line >> keyword;
     if (keyword.empty() || keyword.front() == '#') continue;
-    if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) return std::nullopt;
+    if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) {
+      return PcdProblem{"not PCD", "a header line is none of PCD's"};
+    }
     const auto [entry, is_new] = entries.try_emplace(keyword);
-    if (!is_new) return std::nullopt;
+    if (!is_new) return bad_header(keyword + " stands there twice");
     for (std::string word; line >> word;) entry->second.push_back(word);
-    if (keyword == "DATA") return end + 1;
+    if (keyword == "DATA") {
+      data_begin = end + 1;
+      return std::nullopt;
+    }
   }
-  return std::nullopt;
+  if (entries.empty()) return PcdProblem{"not PCD", "there is no header"};
+  return PcdProblem{"truncated", "the header ends before its DATA line"};
 }
 
 bool parse(const Words& words, std::size_t i, std::uint64_t& number) {
@@ -51,10 +62,6 @@ bool parse(const Words& words, std::size_t i, std::uint64_t& number) {
   const char* const end = words[i].data() + words[i].size();
   const auto [last, error] = std::from_chars(words[i].data(), end, number);
   return error == std::errc{} && last == end;
-}
-
-Problem bad_header(const std::string& detail) {
-  return PcdProblem{"bad header", detail};
 }
 
 Problem read_fields(Entries& entries, std::vector<PcdField>& fields) {
@@ -162,18 +169,15 @@ std::variant<PcdHeader, PcdProblem> read_pcd_header(const std::filesystem::path&
   if (error || !stream) return PcdProblem{"unreadable", std::strerror(errno)};
 
   Entries entries;
-  const std::optional<std::uint64_t> data_at = read_entries(stream, entries);
-  if (entries.count("FIELDS") == 0) return PcdProblem{"not PCD", "there is no FIELDS line"};
-  if (!data_at) return bad_header("a line is none of a PCD header's, or twice, or DATA is missing");
-  stream.clear();  // a short file was read to its end
-  stream.seekg(static_cast<std::streamoff>(*data_at));
-
+  std::uint64_t data_begin = 0;
   PcdHeader header;
-  Problem problem = read_fields(entries, header.fields);
+  Problem problem = read_entries(stream, entries, data_begin);
+  if (!problem) problem = read_fields(entries, header.fields);
   if (!problem) problem = check_coordinates(header.fields);
   if (!problem) problem = read_size(entries, header);
   if (!problem) problem = read_encoding(entries["DATA"], header.encoding);
-  if (!problem) problem = check_data(stream, header, file_bytes - *data_at);
+  stream.seekg(static_cast<std::streamoff>(data_begin));
+  if (!problem) problem = check_data(stream, header, file_bytes - data_begin);
   if (problem) return *problem;
   return header;
 }

@@ -1,5 +1,5 @@
-// What a PCD file claims to hold, checked against its size before anybody believes it: a header that
-// lies must not make a reader allocate gigabytes or run past the end.
+// What a PCD file claims to hold, checked against its size before anybody believes it: a header
+// that lies must not make a reader allocate gigabytes or run past the end.
 #pragma once
 
 #include <cstdint>
@@ -37,6 +37,7 @@ struct PcdHeader {
 // Accepts PCD 0.6 and 0.7 with floating-point x, y, z, width * height = points, 1 to 640 x 480
 // points, at most 512 MiB decoded, and as many bytes of data as the header needs (of ascii: the
 // fewest that can hold its values).
-[[nodiscard]] std::variant<PcdHeader, PcdProblem> read_pcd_header(const std::filesystem::path& file);
+[[nodiscard]] std::variant<PcdHeader, PcdProblem> read_pcd_header(
+    const std::filesystem::path& file);
 
 }  // namespace cleave::sensor

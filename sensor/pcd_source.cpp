@@ -39,8 +39,8 @@ Failure PcdSource::open() {
   loader_ = std::make_unique<PcdLoader>(found.files, loop_);
   if (loader_->wait_for_first()) return std::nullopt;
   const std::string skipped = summary(counts().unusable);
-  return "looked for *.pcd in " + path_.string() + " and found no usable point cloud: " +
-         (skipped.empty() ? "there is no file" : skipped) +
+  return "looked for *.pcd in " + path_.string() +
+         " and found no usable point cloud: " + (skipped.empty() ? "there is no file" : skipped) +
          "; name a PCD file, or a folder of them";
 }
 
@@ -55,8 +55,7 @@ Poll PcdSource::next(std::chrono::milliseconds timeout, Frame& frame) {
       break;
   }
   held_ = std::move(loaded.cloud);
-  frame = {held_->width,   held_->height, held_->intrinsics,
-           wall_now_ns(), 0,             loaded.begins_loop};
+  frame = {held_->width, held_->height, held_->intrinsics, wall_now_ns(), 0, loaded.begins_loop};
   return Poll::frame;
 }
 
