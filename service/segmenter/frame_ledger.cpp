@@ -48,13 +48,6 @@ Arrived FrameLedger::arrive(FrameKey key, bool zero_copy) {
   return {Arrival::again, 0};
 }
 
-void FrameLedger::reject_unidentified(RejectCause cause, bool zero_copy) {
-  const std::lock_guard lock(mutex_);
-  ++counts_.received;
-  if (zero_copy) ++counts_.zero_copy;
-  ++count_of(counts_.rejected, cause);
-}
-
 void FrameLedger::publish(FrameKey key) {
   const std::lock_guard lock(mutex_);
   if (leave_flight(key)) ++counts_.published;

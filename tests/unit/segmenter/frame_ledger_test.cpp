@@ -129,16 +129,6 @@ TEST(FrameLedger, SurvivesTheLargestGapThatAHeaderCanClaim) {
   expect_balanced(ledger.snapshot());
 }
 
-TEST(FrameLedger, CountsAFrameWithoutIdentityAsReceivedAndRejected) {
-  FrameLedger ledger;
-
-  ledger.reject_unidentified(RejectCause::bad_header, true);
-
-  EXPECT_EQ(ledger.snapshot().received, 1U);
-  EXPECT_EQ(ledger.snapshot().rejected_total(), 1U);
-  expect_balanced(ledger.snapshot());
-}
-
 TEST(FrameLedger, BalancesInEverySnapshotWhileThreadsChangeIt) {
   FrameLedger ledger;
   std::atomic<bool> done{false};
