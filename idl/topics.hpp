@@ -20,11 +20,10 @@ inline std::string segments_topic(std::string_view sensor) {
 }
 inline constexpr std::string_view status_topic = "cleave/status";
 
-// A sensor's name is part of topic names: 1 to 63 letters, digits, '_' or '-'.
+// A sensor's name is part of topic names: 1 to 63 letters, digits or '_' (DDS allows no others).
 inline bool is_valid_sensor_name(std::string_view name) {
   const auto allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
   };
   return !name.empty() && name.size() <= max_sensor_name_length &&
          std::all_of(name.begin(), name.end(), allowed);

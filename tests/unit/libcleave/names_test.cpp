@@ -7,8 +7,9 @@
 namespace cleave {
 namespace {
 
-TEST(SensorName, MayHoldLettersDigitsUnderscoreAndDash) {
-  EXPECT_TRUE(is_valid_sensor_name("front_left-2"));
+TEST(SensorName, MayHoldLettersDigitsAndUnderscore) {
+  EXPECT_TRUE(is_valid_sensor_name("front_left_2"));
+  EXPECT_FALSE(is_valid_sensor_name("front-left"));  // DDS refuses it in a topic name
   EXPECT_TRUE(is_valid_sensor_name(std::string(63, 'a')));
   EXPECT_FALSE(is_valid_sensor_name(""));
   EXPECT_FALSE(is_valid_sensor_name("a/b"));

@@ -1,0 +1,67 @@
+// A child process of a test: started, watched, and ended by its own process id.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cleave::test {
+
+// The machine may be busy with other tests: generous, because no test asserts a duration.
+inline constexpr std::chrono::seconds patience{60};
+
+class Process {
+ public:
+  // Starts `command` (its first word is a path) with `environment` on top of this process's own.
+  // Output goes to files, so that a chatty child never blocks.
+  explicit Process(const std::vector<std::string>& command,
+                   const std::map<std::string, std::string>& environment = {});
+  // Ends the child if it still runs: SIGTERM, then SIGKILL after 10 s.
+  ~Process();
+  Process(Process&& other) noexcept;
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  Process& operator=(Process&&) = delete;
+
+  [[nodiscard]] pid_t id() const { return id_; }
+  [[nodiscard]] bool running();
+  void signal(int number) const;
+  // The exit code, 128 + n when signal n ended it, or -1 if it still runs after `timeout`.
+  int wait(std::chrono::milliseconds timeout = patience);
+  [[nodiscard]] std::string output() const;  // stdout so far
+  [[nodiscard]] std::string log() const;     // stderr so far
+  // Waits until the log holds `text`; false if it ends or `timeout` passes without.
+  bool logs(const std::string& text, std::chrono::milliseconds timeout = patience);
+
+ private:
+  pid_t id_ = -1;
+  int status_ = -1;
+  std::filesystem::path folder_;
+};
+
+// Polls until `condition` holds; false after `timeout`.
+bool eventually(const std::function<bool()>& condition,
+                std::chrono::milliseconds timeout = patience);
+
+// build/<preset>/bin/<name>
+std::string program(const std::string& name);
+
+// A folder of its own for a test, removed with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace cleave::test

@@ -1,0 +1,25 @@
+// The one RouDi of the machine, for the tests that need shared memory.
+#pragma once
+
+#include <memory>
+
+#include "tests/integration/process.hpp"
+
+namespace cleave::test {
+
+// Waits for the machine-wide test lock, then starts RouDi with our pools and ends it, by its
+// process id, on destruction. Throws when a RouDi that is not a test's answers already.
+class RouDi {
+ public:
+  RouDi() { start(); }
+
+  void start();
+  void kill();  // -9: its socket and segments stay behind, as after a crash
+  [[nodiscard]] pid_t id() const { return process_->id(); }
+
+ private:
+  RouDiLock lock_;
+  std::unique_ptr<Process> process_;
+};
+
+}  // namespace cleave::test
