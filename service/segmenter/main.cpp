@@ -7,10 +7,10 @@
 
 #include "config/section.hpp"
 #include "libcleave/logging.hpp"
+#include "libcleave/restart.hpp"
 #include "libcleave/shutdown.hpp"
 #include "segmenter/command_line.hpp"
 #include "segmenter/daemon.hpp"
-#include "segmenter/restart.hpp"
 #include "segmenter/settings.hpp"
 
 namespace {
@@ -34,7 +34,8 @@ int main(int count, char** arguments) {
     cleave::init_logging("cleave-segmenter");
     const std::variant<CommandLine, int> parsed = parse_command_line(count, arguments);
     if (const int* const code = std::get_if<int>(&parsed)) return *code;
-    if (run(std::get<CommandLine>(parsed)) == Ending::roudi_replaced) restart_in_place(arguments);
+    if (run(std::get<CommandLine>(parsed)) == Ending::roudi_replaced)
+      cleave::restart_in_place(arguments);
     return done;
   } catch (const cleave::config::ConfigurationError& error) {
     spdlog::error("{}", error.what());

@@ -35,7 +35,7 @@ std::size_t workers_of(const config::SegmenterConfig& config, const CommandLine&
   const std::size_t workers =
       config::worker_count(config, std::max(1U, std::thread::hardware_concurrency()));
   if (config.workers > 0) return workers;
-  return std::clamp<std::size_t>(workers / sensors, 1, FramePipeline::max_workers);
+  return std::max<std::size_t>(workers / sensors, 1);
 }
 
 }  // namespace
@@ -46,9 +46,6 @@ DaemonSettings read_settings(const CommandLine& line) {
   DaemonSettings settings;
   settings.segmentation = read_options(file.section("segmentation"));
   file.finish();
-  if (config.workers > FramePipeline::max_workers) {
-    file.refuse("workers", "a whole number from 0 to 6");
-  }
   if (line.sensor) check_sensor(*line.sensor);
   settings.sensors = line.sensor ? std::vector{*line.sensor} : config.sensors;
   settings.workers = workers_of(config, line, settings.sensors.size());

@@ -66,11 +66,19 @@ TEST(FrameLedger, MissesNothingBeforeTheFirstFrame) {
   EXPECT_EQ(ledger.snapshot().received, 1U);
 }
 
-TEST(FrameLedger, StartsTheIdsAnewWithAnotherEpoch) {
+TEST(FrameLedger, CountsAGapWhereTheEpochRisesByOne) {
   FrameLedger ledger;
   (void)ledger.arrive({7, 100}, false);
 
-  for (const FrameKey first : {FrameKey{8, 500}, FrameKey{2, 0}}) {
+  EXPECT_EQ(ledger.arrive({8, 103}, false).missed, 2U);
+  EXPECT_EQ(ledger.snapshot().received, 4U);
+}
+
+TEST(FrameLedger, StartsTheIdsAnewWithAnyOtherEpoch) {
+  FrameLedger ledger;
+  (void)ledger.arrive({7, 100}, false);
+
+  for (const FrameKey first : {FrameKey{9, 500}, FrameKey{2, 0}}) {
     const Arrived arrived = ledger.arrive(first, false);
     EXPECT_EQ(arrived.arrival, Arrival::fresh);
     EXPECT_EQ(arrived.missed, 0U);
