@@ -7,8 +7,20 @@
 
 namespace cleave::test {
 
-// Waits for the machine-wide test lock, then starts RouDi with our pools and ends it, by its
-// process id, on destruction. Throws when a RouDi that is not a test's answers already.
+// Held by whoever starts a RouDi in a test: waits until no other test does. Throws when a RouDi that
+// is not a test's answers already.
+class RouDiLock {
+ public:
+  RouDiLock();
+  ~RouDiLock();
+  RouDiLock(const RouDiLock&) = delete;
+  RouDiLock& operator=(const RouDiLock&) = delete;
+
+ private:
+  int file_;
+};
+
+// Starts RouDi with our pools and ends it, by its process id, on destruction.
 class RouDi {
  public:
   RouDi() { start(); }
