@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "cleave/cloud/pcd_cloud.hpp"
 #include "temporary_folder.hpp"
 
