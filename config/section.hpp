@@ -19,7 +19,8 @@ class ConfigurationError : public std::runtime_error {
 };
 
 // One mapping of a YAML file. The getters leave `value` as it is (the default) where the key is
-// absent, and throw ConfigurationError with file, line, key and what was expected where it is wrong.
+// absent, and throw ConfigurationError with file, line, key and what was expected where it is
+// wrong.
 class Section {
  public:
   // Throws ConfigurationError when the file cannot be read, is not YAML or not a mapping.

@@ -19,7 +19,6 @@ cleave_find(spdlog libspdlog-dev)
 cleave_find(CLI11 libcli11-dev)
 cleave_find(nlohmann_json nlohmann-json3-dev)
 cleave_find(PNG libpng-dev)
-cleave_find(GTest libgtest-dev)
 
 # These bring no CMake package in Debian 12, or (PCL) one that drags in VTK and Qt.
 macro(cleave_require variable what debian_package)

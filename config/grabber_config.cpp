@@ -1,0 +1,56 @@
+#include "config/grabber_config.hpp"
+
+#include <algorithm>
+
+namespace cleave::config {
+namespace {
+
+constexpr std::uint32_t capacity_points = 640 * 480;  // of DepthCloud
+constexpr std::size_t max_frame_name_length = 63;     // char coordinate_frame[64] in the contract
+constexpr std::string_view frame_suffix = "_optical";
+
+VideoConfig read_video_config(Section& file) {
+  VideoConfig config;
+  Section section = file.section("video");
+  section.integer("width", config.width, 16, 4096);
+  section.integer("height", config.height, 16, 4096);
+  if (config.width * config.height > capacity_points) {
+    section.refuse("height", "at most 307200 (640 x 480) pixels in all");
+  }
+  return config;
+}
+
+bool is_frame_name(const std::string& name) {
+  return name.size() <= max_frame_name_length &&
+         std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
+}
+
+}  // namespace
+
+GrabberConfig load_grabber_config(const std::filesystem::path& path) {
+  GrabberConfig config;
+  Section file = Section::load(path);
+  file.text("sensor", config.sensor);
+  check_sensor_name(file, "sensor", config.sensor);
+  file.text("coordinate_frame", config.coordinate_frame);
+  if (!is_frame_name(config.coordinate_frame)) {
+    file.refuse("coordinate_frame", "at most 63 printable ASCII characters without blanks");
+  }
+  file.text("source", config.source);
+  file.integer("fps", config.fps, 1, 240);
+  file.boolean("loop", config.loop);
+  read_mode(file, config.mode);
+  file.integer("window", config.window, 1, 4);
+  config.video = read_video_config(file);
+  config.stream = read_stream_config(file);
+  file.finish();
+  return config;
+}
+
+// A sensor name of 56 characters and more leaves no room for the whole suffix.
+std::string coordinate_frame_of(const GrabberConfig& config) {
+  if (!config.coordinate_frame.empty()) return config.coordinate_frame;
+  return (config.sensor + std::string(frame_suffix)).substr(0, max_frame_name_length);
+}
+
+}  // namespace cleave::config

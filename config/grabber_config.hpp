@@ -1,0 +1,36 @@
+// What cleave-grabber can be told. The file as shipped is grabber.yaml; it holds these defaults.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "config/stream_config.hpp"
+
+namespace cleave::config {
+
+// The depth mode that is asked of a camera, with the fps below.
+struct VideoConfig {
+  std::uint32_t width = 640;   // pixels; width * height at most 640 * 480
+  std::uint32_t height = 480;  // pixels
+};
+
+struct GrabberConfig {
+  std::string sensor = "camera";    // names the topics: cleave/<sensor>/cloud
+  std::string coordinate_frame;     // of the points; empty = "<sensor>_optical"
+  std::string source = "openni2:";  // URI, see sensor/make_source.hpp
+  std::uint32_t fps = 30;           // 1 to 240: mode of a camera, pace of recordings
+  bool loop = false;                // recordings start again at their end
+  Mode mode = Mode::live;
+  std::uint32_t window = 4;  // 1 to 4 frames in flight in lossless mode
+  VideoConfig video;
+  StreamConfig stream;
+};
+
+// Throws ConfigurationError.
+[[nodiscard]] GrabberConfig load_grabber_config(const std::filesystem::path& file);
+
+// The frame that the points are in, with the default filled in.
+[[nodiscard]] std::string coordinate_frame_of(const GrabberConfig& config);
+
+}  // namespace cleave::config

@@ -1,0 +1,17 @@
+// From a URI to a source.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sensor/openni2_source.hpp"
+#include "sensor/source.hpp"
+
+namespace cleave::sensor {
+
+// openni2:[URI], synthetic:SCENE, pcd:PATH. `mode` is asked of cameras; `loop` is for recordings.
+// Opens nothing. Throws std::invalid_argument, listing the sources, for any other URI.
+[[nodiscard]] std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
+                                                  bool loop);
+
+}  // namespace cleave::sensor

@@ -1,0 +1,26 @@
+// The depth mode of an OpenNI2 stream.
+#pragma once
+
+#include <OpenNI.h>
+
+#include <string>
+
+#include "sensor/openni2_source.hpp"
+#include "sensor/source.hpp"
+
+namespace cleave::sensor {
+
+// A depth of 1 is a millimetre or a tenth of one; all else is not depth.
+[[nodiscard]] bool is_depth(openni::PixelFormat format);
+
+// "640x480@30"
+[[nodiscard]] std::string describe(const openni::VideoMode& mode);
+
+// Sets the wanted mode, in millimetres where the device has a choice; names the modes that there
+// are if it is none of them.
+[[nodiscard]] Failure set_mode(openni::VideoStream& stream, const VideoMode& wanted);
+
+// Switches mirroring off, which many cameras have on: left and right would be swapped.
+[[nodiscard]] Failure unmirror(openni::VideoStream& stream);
+
+}  // namespace cleave::sensor

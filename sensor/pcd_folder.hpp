@@ -1,0 +1,19 @@
+// Which files a pcd: source reads.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cleave::sensor {
+
+struct PcdFiles {
+  std::vector<std::filesystem::path> files;   // *.pcd in natural order
+  std::vector<std::filesystem::path> others;  // files with other extensions, in natural order
+  std::string failure;                        // why the path cannot be looked into; empty if it can
+};
+
+// A folder's files, not those of folders in it, or the one file that the path names.
+[[nodiscard]] PcdFiles list_pcd_files(const std::filesystem::path& path);
+
+}  // namespace cleave::sensor

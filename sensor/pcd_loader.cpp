@@ -1,0 +1,94 @@
+#include "sensor/pcd_loader.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+namespace cleave::sensor {
+
+PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop, std::size_t cache_bytes)
+    : loop_(loop), cache_left_bytes_(loop ? cache_bytes : 0) {
+  for (std::filesystem::path& file : files) files_.push_back({std::move(file), nullptr});
+  thread_ = std::thread([this] { run(); });
+}
+
+PcdLoader::~PcdLoader() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+PcdLoader::Result PcdLoader::next(std::chrono::milliseconds timeout, LoadedCloud& loaded) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, timeout, [this] { return ready_ || ended_; });
+  if (!ready_) return ended_ ? Result::end : Result::timeout;
+  loaded = *std::exchange(ready_, std::nullopt);
+  changed_.notify_all();
+  return Result::cloud;
+}
+
+bool PcdLoader::wait_for_first() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return ready_ || ended_; });
+  return ready_.has_value();
+}
+
+std::map<std::string, std::uint64_t> PcdLoader::unusable() const {
+  const std::lock_guard lock(mutex_);
+  return unusable_;
+}
+
+void PcdLoader::run() {
+  bool usable = pass(true) > 0;
+  while (loop_ && usable) usable = pass(false) > 0;
+  const std::lock_guard lock(mutex_);
+  ended_ = true;
+  changed_.notify_all();
+}
+
+std::size_t PcdLoader::pass(bool is_first) {
+  std::size_t handed_over = 0;
+  for (auto file = files_.begin(); file != files_.end();) {
+    std::shared_ptr<const PointCloud> cloud = load(*file);
+    if (cloud == nullptr) {
+      file = files_.erase(file);
+      continue;
+    }
+    if (!hand_over({std::move(cloud), !is_first && handed_over == 0})) return 0;
+    ++handed_over;
+    ++file;
+  }
+  return handed_over;
+}
+
+std::shared_ptr<const PointCloud> PcdLoader::load(File& file) {
+  if (file.cached) return file.cached;
+  std::variant<PointCloud, PcdProblem> read = read_pcd(file.path);
+  if (const auto* const problem = std::get_if<PcdProblem>(&read)) {
+    spdlog::warn("skipped {}: {}: {}", file.path.string(), problem->cause, problem->detail);
+    const std::lock_guard lock(mutex_);
+    ++unusable_[problem->cause];
+    return nullptr;
+  }
+  auto cloud = std::make_shared<const PointCloud>(std::get<PointCloud>(std::move(read)));
+  const std::size_t bytes = cloud->xyz.size() * sizeof(float);
+  if (bytes <= cache_left_bytes_) {
+    cache_left_bytes_ -= bytes;
+    file.cached = cloud;
+  }
+  return cloud;
+}
+
+bool PcdLoader::hand_over(LoadedCloud loaded) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !ready_ || stop_; });
+  if (stop_) return false;
+  ready_ = std::move(loaded);
+  changed_.notify_all();
+  return true;
+}
+
+}  // namespace cleave::sensor

@@ -1,0 +1,96 @@
+#include "config/grabber_config.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/config/yaml_file.hpp"
+
+namespace cleave::config {
+namespace {
+
+std::string message(const std::string& content) {
+  return message_for(content, [](const auto& path) { (void)load_grabber_config(path); });
+}
+
+TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
+  const GrabberConfig shipped = load_grabber_config(CLEAVE_CONFIG "/grabber.yaml");
+  const GrabberConfig defaults;
+  EXPECT_EQ(shipped.sensor, defaults.sensor);
+  EXPECT_EQ(shipped.coordinate_frame, defaults.coordinate_frame);
+  EXPECT_EQ(shipped.source, defaults.source);
+  EXPECT_EQ(shipped.fps, defaults.fps);
+  EXPECT_EQ(shipped.loop, defaults.loop);
+  EXPECT_EQ(shipped.mode, defaults.mode);
+  EXPECT_EQ(shipped.window, defaults.window);
+  EXPECT_EQ(shipped.video.width, defaults.video.width);
+  EXPECT_EQ(shipped.video.height, defaults.video.height);
+  EXPECT_EQ(shipped.stream.domain, defaults.stream.domain);
+  EXPECT_EQ(shipped.stream.shared_memory, defaults.stream.shared_memory);
+  EXPECT_EQ(shipped.stream.public_interface, defaults.stream.public_interface);
+}
+
+TEST(GrabberConfig, ReadsEveryKey) {
+  const YamlFile yaml(
+      "sensor: left-1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
+      "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240}\n"
+      "stream: {domain: 7, shared_memory: false, public_interface: eth0}\n");
+  const GrabberConfig config = load_grabber_config(yaml.path());
+  EXPECT_EQ(config.sensor, "left-1");
+  EXPECT_EQ(config.coordinate_frame, "left_lens");
+  EXPECT_EQ(config.source, "pcd:scenes");
+  EXPECT_EQ(config.fps, 10U);
+  EXPECT_TRUE(config.loop);
+  EXPECT_EQ(config.mode, Mode::lossless);
+  EXPECT_EQ(config.window, 2U);
+  EXPECT_EQ(config.video.width, 320U);
+  EXPECT_EQ(config.video.height, 240U);
+  EXPECT_EQ(config.stream.domain, 7U);
+  EXPECT_FALSE(config.stream.shared_memory);
+  EXPECT_EQ(config.stream.public_interface, "eth0");
+}
+
+TEST(GrabberConfig, RefusesASensorNameThatIsTooLong) {
+  const std::string name(64, 'a');
+  EXPECT_EQ(message("sensor: " + name + "\n"),
+            "file:1: sensor: expected a sensor name of 1 to 63 letters, digits, '_' or '-' (it is "
+            "part of topic names), found '" +
+                name + "'");
+  EXPECT_EQ(message("sensor: " + std::string(63, 'a') + "\n"), "");
+}
+
+TEST(GrabberConfig, RefusesASensorNameThatCannotBePartOfATopic) {
+  EXPECT_NE(message("sensor: left/camera\n"), "");
+  EXPECT_NE(message("sensor: \"\"\n"), "");
+}
+
+TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
+  EXPECT_EQ(message("video:\n  width: 1280\n  height: 1024\n"),
+            "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, found "
+            "'1024'");
+}
+
+TEST(GrabberConfig, RefusesADomainOutOfRange) {
+  EXPECT_EQ(message("stream:\n  domain: 100\n"),
+            "file:2: stream.domain: expected a whole number from 0 to 99, found '100'");
+}
+
+TEST(GrabberConfig, RefusesAnInterfaceThatWouldBreakTheConfigurationOfDds) {
+  EXPECT_NE(message("stream: {public_interface: 'lo\"/><x'}\n"), "");
+  EXPECT_NE(message("stream: {public_interface: ''}\n"), "");
+}
+
+TEST(GrabberConfig, DerivesTheCoordinateFrameFromTheSensor) {
+  GrabberConfig config;
+  config.sensor = "left";
+  EXPECT_EQ(coordinate_frame_of(config), "left_optical");
+  config.coordinate_frame = "lens";
+  EXPECT_EQ(coordinate_frame_of(config), "lens");
+}
+
+TEST(GrabberConfig, KeepsADerivedCoordinateFrameWithinTheContract) {
+  GrabberConfig config;
+  config.sensor = std::string(63, 'a');
+  EXPECT_EQ(coordinate_frame_of(config).size(), 63U);
+}
+
+}  // namespace
+}  // namespace cleave::config
