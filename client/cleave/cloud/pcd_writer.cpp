@@ -2,6 +2,7 @@
 
 #include <pcl/io/lzf.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <sstream>

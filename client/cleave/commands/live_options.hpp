@@ -11,9 +11,9 @@
 namespace cleave::client {
 
 struct LiveOptions {
-  std::optional<std::uint32_t> domain;
+  std::optional<std::uint32_t> domain = {};
   bool no_shared_memory = false;
-  std::string sensor;  // empty: the only one there is
+  std::string sensor = {};  // empty: the only one there is
 };
 
 // --domain and --no-shared-memory.

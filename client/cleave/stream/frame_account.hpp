@@ -19,8 +19,8 @@ struct Account {
   std::uint64_t segmented = 0;
   std::uint64_t dropped = 0;
   std::uint64_t rejected = 0;
-  std::map<std::string, std::uint64_t> dropped_by_cause;
-  std::map<std::string, std::uint64_t> rejected_by_cause;
+  std::map<std::string, std::uint64_t> dropped_by_cause = {};
+  std::map<std::string, std::uint64_t> rejected_by_cause = {};
 };
 
 // A node's counters over all processes that were the node, one after the other: a process that is

@@ -38,7 +38,7 @@ Border border_of(const BorderMessage& m) {
           m.kind == cleave_v1_BORDER_CONVEX ? BorderKind::convex : BorderKind::concave};
 }
 
-Json json_of(const FrameHeader& h) {
+Json header_json(const FrameHeader& h) {
   return {{"frame_id", h.frame_id},
           {"epoch", h.epoch},
           {"capture_time_ns", h.capture_time_ns},
@@ -98,7 +98,7 @@ std::string text_of(const SegmentList& list) {
 
 Json json_of(const SegmentList& list) {
   const Segmentation segmentation = segmentation_of(list);
-  return {{"header", json_of(list.header)},
+  return {{"header", header_json(list.header)},
           {"cloud_publication_time_ns", list.cloud_publication_time_ns},
           {"outcome", outcome_of(list)},
           {"segments", array_of(segmentation.segments)},

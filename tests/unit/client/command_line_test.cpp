@@ -1,0 +1,74 @@
+#include "cleave/commands/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+
+#include "cleave/commands/live_options.hpp"
+
+namespace cleave::client {
+namespace {
+
+// Exit code of CLI11 for a command line; 0 = understood.
+int parse(std::vector<std::string> words) {
+  CLI::App app;
+  Action action;
+  describe_command_line(app, action);
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
+  try {
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    return error.get_exit_code();
+  }
+  EXPECT_TRUE(action) << "no action was chosen";
+  return 0;
+}
+
+TEST(CommandLine, GivesAnExampleForEveryCommand) {
+  CLI::App app;
+  Action action;
+  describe_command_line(app, action);
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  EXPECT_EQ(commands.size(), 7U);
+  for (CLI::App* command : commands) {
+    const std::string help = command->help();
+    EXPECT_NE(help.find("Examples:\n  cleave " + command->get_name()), std::string::npos) << help;
+    EXPECT_FALSE(command->get_description().empty());
+  }
+  EXPECT_NE(app.help().find("Examples:"), std::string::npos);
+}
+
+TEST(CommandLine, UnderstandsEachCommand) {
+  EXPECT_EQ(parse({"list", "--json"}), 0);
+  EXPECT_EQ(parse({"echo", "--sensor", "camera", "--frames", "3"}), 0);
+  EXPECT_EQ(parse({"hz", "--duration", "2.5"}), 0);
+  EXPECT_EQ(parse({"status", "--watch", "--domain", "7"}), 0);
+  EXPECT_EQ(parse({"watch", "--frames", "3", "--picture", "p.png", "--no-shared-memory"}), 0);
+  EXPECT_EQ(parse({"segment", "--set", "a=1", "in.pcd", "out.pcd", "--set", "b=2"}), 0);
+  EXPECT_EQ(parse({"bench", "folder", "--repeat", "5"}), 0);
+}
+
+TEST(CommandLine, RefusesWrongUsage) {
+  EXPECT_NE(parse({}), 0);
+  EXPECT_NE(parse({"dance"}), 0);
+  EXPECT_NE(parse({"segment", "in.pcd"}), 0);
+  EXPECT_NE(parse({"watch", "--domain", "100"}), 0);
+  EXPECT_NE(parse({"watch", "--sensor", "a/b"}), 0);
+  EXPECT_NE(parse({"watch", "--frames", "0"}), 0);
+  EXPECT_NE(parse({"hz", "--frames", "1", "--duration", "1"}), 0);
+  EXPECT_NE(parse({"bench", "folder", "--repeat", "0"}), 0);
+}
+
+TEST(StreamOptions, TakeTheDomainFromTheCommandLineBeforeTheEnvironment) {
+  setenv("CLEAVE_DOMAIN", "12", 1);
+  EXPECT_EQ(stream_options({}).domain, 12U);
+  EXPECT_EQ(stream_options({.domain = 3}).domain, 3U);
+  setenv("CLEAVE_DOMAIN", "twelve", 1);
+  EXPECT_THROW((void)stream_options({}), UsageError);
+  unsetenv("CLEAVE_DOMAIN");
+  EXPECT_EQ(stream_options({}).domain, 0U);
+}
+
+}  // namespace
+}  // namespace cleave::client

@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <sstream>
+
+#include "cleave/console/json.hpp"
+#include "cleave/console/live_line.hpp"
+#include "cleave/console/natural_order.hpp"
+#include "cleave/console/percentiles.hpp"
+#include "cleave/console/progress_bar.hpp"
+#include "cleave/console/table.hpp"
+
+namespace cleave::client {
+namespace {
+
+TEST(Table, AlignsTextLeftAndFiguresRightWithoutTrailingBlanks) {
+  Table table({{"name", Align::left}, {"points", Align::right}, {"note", Align::left}});
+  table.add_row({"a", "7", ""});
+  table.add_row({"longer", "12345678", "x"});
+  EXPECT_EQ(table.to_string(),
+            "name      points  note\n"
+            "a              7\n"
+            "longer  12345678  x\n");
+}
+
+TEST(Table, CountsCodePointsNotBytes) {
+  Table table({{"name", Align::left}, {"n", Align::left}});
+  table.add_row({"Küche", "1"});
+  table.add_row({"abcde", "2"});
+  EXPECT_EQ(table.to_string(), "name   n\nKüche  1\nabcde  2\n");
+}
+
+TEST(Table, RefusesARowWithAnotherNumberOfCells) {
+  Table table({{"one", Align::left}});
+  EXPECT_THROW(table.add_row({"a", "b"}), std::invalid_argument);
+}
+
+TEST(Table, LetsNoForeignTextDriveTheTerminal) {
+  Table table({{"name", Align::left}});
+  table.add_row({"\x1b[2Jevil\n"});
+  EXPECT_EQ(table.to_string(), "name\n?[2Jevil?\n");
+}
+
+TEST(LiveLine, RewritesOneLineOnATerminalAndCutsItToTheWindow) {
+  std::ostringstream out;
+  {
+    LiveLine line(out, 5);
+    line.show("abcdefgh");
+    line.show("xy");
+  }
+  EXPECT_EQ(out.str(), "\rabcd\x1b[K\rxy\x1b[K\n");
+}
+
+TEST(LiveLine, PrintsPlainLinesElsewhere) {
+  std::ostringstream out;
+  {
+    LiveLine line(out, 0);
+    line.show("first");
+    line.show("second");
+  }
+  EXPECT_EQ(out.str(), "first\nsecond\n");
+}
+
+TEST(ProgressBar, IsSilentWhereThereIsNoTerminal) {
+  std::ostringstream out;
+  { ProgressBar(out, 0, 10).show(5); }
+  EXPECT_EQ(out.str(), "");
+}
+
+TEST(ProgressBar, FillsWithWhatIsDoneAndVanishes) {
+  std::ostringstream out;
+  { ProgressBar(out, 18, 10).show(5); }
+  EXPECT_EQ(out.str(), "\r[#####.....] 5/10\x1b[K\r\x1b[K");
+}
+
+TEST(NaturalOrder, PutsFrame2BeforeFrame10) {
+  EXPECT_TRUE(natural_less("frame2.pcd", "frame10.pcd"));
+  EXPECT_FALSE(natural_less("frame10.pcd", "frame2.pcd"));
+  EXPECT_TRUE(natural_less("a", "a1"));
+  EXPECT_TRUE(natural_less("a1", "a01"));
+  EXPECT_FALSE(natural_less("a1", "a1"));
+  EXPECT_TRUE(natural_less("x99999999999999999999998", "x99999999999999999999999"));
+}
+
+TEST(NaturalOrder, IsAStrictOrderOfAllTexts) {
+  std::mt19937 random(7);
+  std::vector<std::string> texts;
+  for (int i = 0; i < 60; ++i) {
+    std::string text;
+    for (std::size_t n = random() % 5; n > 0; --n) text += "0012ab"[random() % 6];
+    texts.push_back(text);
+  }
+  for (const auto& a : texts) {
+    for (const auto& b : texts) {
+      EXPECT_EQ(int{natural_less(a, b)} + int{natural_less(b, a)}, a == b ? 0 : 1) << a << ' ' << b;
+      for (const auto& c : texts) {
+        if (natural_less(a, b) && natural_less(b, c)) {
+          EXPECT_TRUE(natural_less(a, c)) << a << ' ' << b << ' ' << c;
+        }
+      }
+    }
+  }
+}
+
+TEST(Percentiles, AreMeasuredValuesByNearestRank) {
+  std::vector<double> values;
+  for (int i = 200; i >= 1; --i) values.push_back(i);
+  const Percentiles p = percentiles(values);
+  EXPECT_EQ(p.median, 100);
+  EXPECT_EQ(p.p90, 180);
+  EXPECT_EQ(p.p99, 198);
+  EXPECT_EQ(percentiles({5}).p99, 5);
+  EXPECT_EQ(percentiles({}).median, 0);
+}
+
+TEST(RecentValues, ForgetsTheOldest) {
+  RecentValues values(3);
+  for (const double value : {100.0, 100.0, 1.0, 2.0, 3.0}) values.add(value);
+  EXPECT_EQ(values.percentiles().p99, 3);
+  EXPECT_EQ(values.percentiles().median, 2);
+}
+
+TEST(Json, IsOneLineWithKeysInOrderWhateverTheTextIs) {
+  const Json json = {{"z", "bad \xff byte"},
+                     {"a", std::numeric_limits<double>::quiet_NaN()},
+                     {"decimal", decimal(0.3F)}};
+  EXPECT_EQ(one_line(json), "{\"z\":\"bad \xef\xbf\xbd byte\",\"a\":null,\"decimal\":0.3}");
+}
+
+}  // namespace
+}  // namespace cleave::client
