@@ -1,28 +1,53 @@
-// What stands on the table. Table frame: z up, origin below the camera; metres, radians.
+// What stands on the table, by seed. Table frame: z up, origin below the camera; metres, radians.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "sensor/renderer/camera.hpp"
+#include "sensor/renderer/object.hpp"
 
 namespace cleave::render {
 
+inline constexpr std::uint32_t fewest_objects = 2;
+inline constexpr std::uint32_t most_objects = 30;
+
 struct SceneParameters {
-  std::uint32_t seed = 0;
+  std::uint32_t seed = 1;
   std::uint32_t min_objects = 6;
   std::uint32_t max_objects = 11;
   double touching = 0.4;  // probability that an object slides into contact with another
   double stacked = 0.25;  // probability that it stands on another
 };
 
+// The names that scene_parameters() knows.
+[[nodiscard]] std::span<const std::string_view> preset_names();
+
 // "simple" (2 to 5 objects), "medium" (6 to 11), "crowded" (15 to 24); throws std::invalid_argument
 // that lists the names for any other.
-[[nodiscard]] SceneParameters scene_parameters(const std::string& name, std::uint32_t seed);
+[[nodiscard]] SceneParameters scene_parameters(std::string_view name, std::uint32_t seed);
 
-struct CameraPose {
-  double height_m = 0.6;  // above the table
-  double tilt_rad = 0.68;  // downwards from horizontal
+// The part of the image that is kept: real data sets are cropped to their table, too.
+struct Crop {
+  double x_min_m = -1;  // of the table's points
+  double x_max_m = 1;
+  double y_max_m = 2;
+  std::uint32_t columns = 640;  // of the image, from the left
 };
+
+struct Scene {
+  std::vector<Object> objects;
+  CameraPose camera;
+  Crop crop;
+};
+
+// Deterministic. The number of objects is always one between the parameters' bounds: where the
+// table is full, objects get smaller until they fit. Objects do not interpenetrate; each stands on
+// the table or, with its centre, on a flat top. Throws std::invalid_argument if the bounds are not
+// in order or not within 2 to 30.
+[[nodiscard]] Scene make_scene(const SceneParameters& parameters);
 
 }  // namespace cleave::render

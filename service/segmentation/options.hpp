@@ -11,8 +11,8 @@ enum class Algorithm { ssc };
 enum class Viewpoint { automatic, single, multiple };
 
 struct VoxelOptions {
-  // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow with
-  // the distance as the sampling does (section 2.1.2.1); with several, in metres.
+  // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
+  // with the distance as the sampling does (section 2.1.2.1); with several, in metres.
   float size_m = 0.006F;
   Viewpoint viewpoint = Viewpoint::automatic;
   // Shift of the grid in voxels, 0 to 1, for judging a change by its mean over several grids.
@@ -25,20 +25,20 @@ struct SupervoxelOptions {
   float normal_weight = 8;
   std::uint32_t min_seed_voxels = 6;  // cells of the seed grid with fewer voxels get no seed
   std::uint32_t sweeps = 6;
-  bool refit_from_points = true;      // centroid and normal from all points, not from voxels
+  bool refit_from_points = true;  // centroid and normal from all points, not from voxels
 };
 
 struct GraphOptions {
-  float weight_sigma = 10;            // eq. 4.3, inverse quadratic
-  float validity_max_rad = 0.9948F;   // eq. 4.5: 57 deg
+  float weight_sigma = 10;              // eq. 4.3, inverse quadratic
+  float validity_max_rad = 0.9948F;     // eq. 4.5: 57 deg
   float validity_offset_rad = 0.6981F;  // eq. 4.5: 40 deg
-  float validity_slope = 17.19F;      // eq. 4.5: 0.3 a degree, here a radian
-  float cannot_link_rad = 0.6981F;    // eq. 4.7: 40 deg
+  float validity_slope = 17.19F;        // eq. 4.5: 0.3 a degree, here a radian
+  float cannot_link_rad = 0.6981F;      // eq. 4.7: 40 deg
 };
 
 struct PartitionOptions {
-  std::uint32_t eigenvectors = 10;    // k of Algorithm 1, the constant one not counted
-  float utility_threshold = 0.5F;     // Algorithm 1, line 13
+  std::uint32_t eigenvectors = 10;  // k of Algorithm 1, the constant one not counted
+  float utility_threshold = 0.5F;   // Algorithm 1, line 13
 };
 
 struct CleanUpOptions {
@@ -46,8 +46,8 @@ struct CleanUpOptions {
 };
 
 struct RefineOptions {
-  bool boundary = true;               // points of border voxels go to the nearest plane
-  std::uint32_t mode_filter_radius = 4;    // pixels, organised clouds only; 0 = off
+  bool boundary = true;                  // points of border voxels go to the nearest plane
+  std::uint32_t mode_filter_radius = 4;  // pixels, organised clouds only; 0 = off
   float mode_filter_depth_gate_m = 0.02F;
 };
 

@@ -11,20 +11,19 @@
 
 namespace cleave::test {
 
-RouDi::RouDi() : lock_(::open("/tmp/cleave-tests.lock", O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-  if (lock_ < 0 || ::flock(lock_, LOCK_EX) != 0) {
+RouDiLock::RouDiLock()
+    : file_(::open("/tmp/cleave-tests.lock", O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+  if (file_ < 0 || ::flock(file_, LOCK_EX) != 0) {
     throw std::runtime_error("cannot lock /tmp/cleave-tests.lock");
   }
   if (roudi_answers()) {
     throw std::runtime_error(
         "a RouDi runs already (a demo?): end it, only one can run on a machine");
   }
-  start();
 }
 
-RouDi::~RouDi() {
-  process_.reset();
-  ::close(lock_);
+RouDiLock::~RouDiLock() {
+  ::close(file_);
 }
 
 void RouDi::start() {

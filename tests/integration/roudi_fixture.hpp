@@ -7,21 +7,30 @@
 
 namespace cleave::test {
 
-// Waits for the machine-wide test lock, then starts RouDi with our pools and ends it, by its
-// process id, on destruction. Throws when a RouDi that is not a test's answers already.
+// Held by whoever starts a RouDi in a test: waits until no other test does. Throws when a RouDi that
+// is not a test's answers already.
+class RouDiLock {
+ public:
+  RouDiLock();
+  ~RouDiLock();
+  RouDiLock(const RouDiLock&) = delete;
+  RouDiLock& operator=(const RouDiLock&) = delete;
+
+ private:
+  int file_;
+};
+
+// Starts RouDi with our pools and ends it, by its process id, on destruction.
 class RouDi {
  public:
-  RouDi();
-  ~RouDi();
-  RouDi(const RouDi&) = delete;
-  RouDi& operator=(const RouDi&) = delete;
+  RouDi() { start(); }
 
   void start();
   void kill();  // -9: its socket and segments stay behind, as after a crash
   [[nodiscard]] pid_t id() const { return process_->id(); }
 
  private:
-  int lock_;
+  RouDiLock lock_;
   std::unique_ptr<Process> process_;
 };
 

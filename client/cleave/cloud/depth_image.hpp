@@ -1,0 +1,25 @@
+// A labelled cloud as an image: one depth and one label a pixel.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segmentation/cloud_view.hpp"
+
+namespace cleave::client {
+
+struct DepthImage {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::vector<float> depth_m;        // NaN = no measurement
+  std::vector<std::uint16_t> label;  // 0 = no segment
+};
+
+// An organised cloud pixel by pixel. An unorganised one is projected onto 640 x 480 by a pinhole
+// fitted to its extent: the nearest point wins, and sparse clouds get a few pixels a point.
+// `labels` has one value a point. Deterministic.
+[[nodiscard]] DepthImage depth_image(const segmentation::CloudView& cloud,
+                                     std::span<const std::uint16_t> labels);
+
+}  // namespace cleave::client

@@ -1,0 +1,37 @@
+#include "cleave/commands/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cleave/commands/bench_command.hpp"
+#include "cleave/commands/echo_command.hpp"
+#include "cleave/commands/hz_command.hpp"
+#include "cleave/commands/list_command.hpp"
+#include "cleave/commands/segment_command.hpp"
+#include "cleave/commands/status_command.hpp"
+#include "cleave/commands/watch_command.hpp"
+
+namespace cleave::client {
+
+void describe_command_line(CLI::App& app, Action& action) {
+  app.name("cleave");
+  app.description("Looks at a stream of depth segments, and segments recorded clouds.");
+  app.footer(
+      "Examples:\n"
+      "  cleave status                       what runs, and how well\n"
+      "  cleave watch                        every frame of the only sensor, until it ends\n"
+      "  cleave segment in.pcd out.pcd       one recorded cloud\n"
+      "  cleave COMMAND --help               more on each command\n"
+      "\n"
+      "Exit codes: 0 done, 1 failed at run time, 2 wrong usage.\n"
+      "Environment: CLEAVE_DOMAIN (0 to 99), CLEAVE_LOG (trace, debug, info, warning, error).");
+  app.require_subcommand(1);
+  add_status_command(app, action);
+  add_watch_command(app, action);
+  add_echo_command(app, action);
+  add_hz_command(app, action);
+  add_list_command(app, action);
+  add_segment_command(app, action);
+  add_bench_command(app, action);
+}
+
+}  // namespace cleave::client

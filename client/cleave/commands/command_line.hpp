@@ -1,0 +1,11 @@
+// The whole command line of `cleave`.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+// Describes the program and adds every subcommand; parsing sets `action`, which must live as long.
+void describe_command_line(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave echo`: segment lists as text or JSON.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_echo_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave hz`: rate and latency of the segment lists.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_hz_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave list`: which topics exist, and who writes and reads them.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_list_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,30 @@
+#include "cleave/commands/segmentation_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cleave/cloud/option_setter.hpp"
+
+namespace cleave::client {
+
+void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments) {
+  command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
+  command
+      .add_option("--set", arguments.settings,
+                  "KEY=VALUE, an option of the segmentation; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+segmentation::Options options_of(const SegmentationArguments& arguments) {
+  segmentation::Options options;
+  try {
+    if (!arguments.algorithm.empty()) set_option(options, "algorithm=" + arguments.algorithm);
+    for (const std::string& setting : arguments.settings) set_option(options, setting);
+  } catch (const OptionError& error) {
+    throw UsageError(error.what());
+  }
+  return options;
+}
+
+}  // namespace cleave::client

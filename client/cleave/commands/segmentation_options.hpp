@@ -1,0 +1,23 @@
+// Options of the commands that segment offline.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cleave/commands/command.hpp"
+#include "segmentation/options.hpp"
+
+namespace cleave::client {
+
+struct SegmentationArguments {
+  std::string algorithm;              // empty = the default
+  std::vector<std::string> settings;  // KEY=VALUE
+};
+
+// --algorithm and --set.
+void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments);
+
+// Throws UsageError for what is no option or no value of one.
+[[nodiscard]] segmentation::Options options_of(const SegmentationArguments& arguments);
+
+}  // namespace cleave::client

@@ -1,0 +1,76 @@
+#include "cleave/commands/status_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "cleave/commands/live_options.hpp"
+#include "cleave/console/terminal.hpp"
+#include "cleave/stream/node_table.hpp"
+#include "cleave/stream/status_reader.hpp"
+
+namespace cleave::client {
+namespace {
+
+struct StatusOptions {
+  LiveOptions live;
+  bool json = false;
+  bool watch = false;
+};
+
+constexpr std::chrono::milliseconds patience{2000};
+constexpr std::chrono::milliseconds refresh_interval{1000};
+constexpr const char* clear_screen = "\x1b[H\x1b[2J";
+
+void print(const std::vector<NodeReport>& reports, const StatusOptions& options) {
+  if (options.json) {
+    Json nodes = Json::array();
+    for (const NodeReport& report : reports) nodes.push_back(json_of(report));
+    std::cout << one_line({{"nodes", nodes}}) << std::endl;
+    return;
+  }
+  if (options.watch && is_terminal(STDOUT_FILENO)) std::cout << clear_screen;
+  std::cout << node_table(reports) << std::endl;
+}
+
+int run(const StatusOptions& options) {
+  Shutdown shutdown;
+  Stream stream(stream_options(options.live));
+  StatusReader statuses(stream);
+  const std::vector<NodeReport> reports = statuses.collect(shutdown, patience);
+  if (reports.empty() && !shutdown.requested() && !options.watch) {
+    throw std::runtime_error(
+        fmt::format("no node answers on domain {}; start ./service/demo, or cleave-grabber and "
+                    "cleave-segmenter, or name another domain with --domain or CLEAVE_DOMAIN",
+                    stream.options().domain));
+  }
+  print(reports, options);
+  while (options.watch && !shutdown.wait_for(refresh_interval)) print(statuses.living(), options);
+  return exit_done;
+}
+
+}  // namespace
+
+void add_status_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<StatusOptions>();
+  CLI::App* command =
+      app.add_subcommand("status", "State, transport, counters, rate and latency of every node");
+  add_stream_options(*command, options->live);
+  command->add_flag("--json", options->json,
+                    "one JSON object: nodes [node, state, frames_in, ...]");
+  command->add_flag("--watch", options->watch, "again every second, until Ctrl-C");
+  command->footer(
+      "Examples:\n"
+      "  cleave status\n"
+      "  cleave status --watch\n"
+      "  cleave status --json | jq '.nodes[].frames_dropped'\n"
+      "\n"
+      "Waits up to 2 s for an answer; exits with 1 when nobody gives one.");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave status`: what the nodes say of themselves.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_status_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

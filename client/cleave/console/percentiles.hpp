@@ -1,0 +1,30 @@
+// Median, 90th and 99th percentile of what was measured last.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace cleave::client {
+
+// By nearest rank: each is a value that was measured. All 0 where nothing was.
+struct Percentiles {
+  double median = 0;
+  double p90 = 0;
+  double p99 = 0;
+};
+[[nodiscard]] Percentiles percentiles(std::vector<double> values);
+
+// The latest `capacity` values: a stream may be watched for days.
+class RecentValues {
+ public:
+  explicit RecentValues(std::size_t capacity = 65536) : capacity_(capacity) {}
+  void add(double value);
+  [[nodiscard]] Percentiles percentiles() const { return client::percentiles(values_); }
+
+ private:
+  std::size_t capacity_;
+  std::size_t next_ = 0;  // the oldest value, once values_ is full
+  std::vector<double> values_;
+};
+
+}  // namespace cleave::client

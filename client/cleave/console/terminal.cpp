@@ -1,0 +1,18 @@
+#include "cleave/console/terminal.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace cleave::client {
+
+bool is_terminal(int file_descriptor) {
+  return isatty(file_descriptor) == 1;
+}
+
+std::size_t terminal_columns(int file_descriptor) {
+  winsize size{};
+  if (ioctl(file_descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+}  // namespace cleave::client

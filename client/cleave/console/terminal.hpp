@@ -1,0 +1,13 @@
+// Does someone look at this output, and how wide is their window?
+#pragma once
+
+#include <cstddef>
+
+namespace cleave::client {
+
+[[nodiscard]] bool is_terminal(int file_descriptor);
+
+// Columns of the terminal; 80 where that is not known.
+[[nodiscard]] std::size_t terminal_columns(int file_descriptor);
+
+}  // namespace cleave::client

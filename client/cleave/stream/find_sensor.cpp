@@ -1,0 +1,36 @@
+#include "cleave/stream/find_sensor.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <stdexcept>
+
+#include "cleave/console/table.hpp"
+#include "cleave/stream/status_reader.hpp"
+
+namespace cleave::client {
+
+std::string only_sensor(const std::set<std::string>& sensors, std::uint32_t domain) {
+  if (sensors.size() == 1) return *sensors.begin();
+  if (sensors.empty()) {
+    throw std::runtime_error(
+        fmt::format("no grabber or segmenter answers on domain {}; start them, or ./service/demo, "
+                    "or name another domain with --domain or CLEAVE_DOMAIN",
+                    domain));
+  }
+  std::string names;
+  for (const std::string& sensor : sensors) names += " " + printable(sensor);
+  throw std::runtime_error("there are several sensors:" + names + "; choose one with --sensor");
+}
+
+std::string find_sensor(Stream& stream, Shutdown& shutdown, const std::string& wanted,
+                        std::chrono::milliseconds patience) {
+  if (!wanted.empty()) return wanted;
+  StatusReader statuses(stream);
+  std::set<std::string> sensors;
+  for (const NodeReport& report : statuses.collect(shutdown, patience)) {
+    sensors.insert(report.sensor);
+  }
+  return only_sensor(sensors, stream.options().domain);
+}
+
+}  // namespace cleave::client

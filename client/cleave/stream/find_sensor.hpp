@@ -1,0 +1,22 @@
+// Which sensor is meant when nobody says so.
+#pragma once
+
+#include <chrono>
+#include <set>
+#include <string>
+
+#include "libcleave/shutdown.hpp"
+#include "libcleave/stream.hpp"
+
+namespace cleave::client {
+
+// The only sensor of the set. Throws std::runtime_error, with advice, when there is none or a
+// choice.
+[[nodiscard]] std::string only_sensor(const std::set<std::string>& sensors, std::uint32_t domain);
+
+// `wanted` if it is not empty; else the only sensor whose nodes publish a status, for which it
+// waits up to `patience`. Throws as only_sensor does.
+[[nodiscard]] std::string find_sensor(Stream& stream, Shutdown& shutdown, const std::string& wanted,
+                                      std::chrono::milliseconds patience);
+
+}  // namespace cleave::client

@@ -1,0 +1,13 @@
+#include "sensor/renderer/renderer.hpp"
+
+#include "sensor/renderer/depth_sensor.hpp"
+#include "sensor/renderer/ray_cast.hpp"
+
+namespace cleave::render {
+
+LabelledDepth render(const Scene& scene, const CameraPose& pose, const CameraModel& camera,
+                     std::uint64_t noise_seed) {
+  return DepthSensor(cast_rays(scene, pose, camera)).measure(noise_seed);
+}
+
+}  // namespace cleave::render

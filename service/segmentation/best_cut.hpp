@@ -1,0 +1,33 @@
+// Algorithm 2: the best of all bipartitions that the eigenvectors induce.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/subgraphs.hpp"
+
+namespace cleave::segmentation {
+
+struct Cut {
+  std::size_t order = 0;       // the eigenvector, as an order of SubgraphStore
+  std::uint32_t position = 0;  // so many of its first vertices are one side
+  double utility = 0;          // equation 4.8; 0: there is no cut across a cannot-link edge
+};
+
+class BestCutFinder {
+ public:
+  // The cut of the highest utility, the earliest among equals. Every edge is added to the cut where
+  // the order meets its first end and taken out where it meets the second, so one pass over the
+  // edges and one over the vertices judge all cuts of an eigenvector.
+  [[nodiscard]] Cut find(const SubgraphStore& store, const Subgraph& graph);
+
+ private:
+  struct Change {
+    double weight = 0;
+    std::int32_t cannot_links = 0;
+  };
+  std::vector<std::uint32_t> rank_;  // of a vertex
+  std::vector<Change> change_;       // of the cut, a position
+};
+
+}  // namespace cleave::segmentation

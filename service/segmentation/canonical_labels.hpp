@@ -1,0 +1,28 @@
+// Labels that depend on the segments alone, not on how they were found.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace cleave::segmentation {
+
+inline constexpr std::size_t max_labels = std::numeric_limits<std::uint16_t>::max();
+
+class LabelOrder {
+ public:
+  // Label of every segment: 1 for the most points, ties by the lowest point, 0 for none. Beyond
+  // max_labels, the smallest segments share the last label.
+  void order(const std::vector<std::uint32_t>& segment_of_point, std::size_t segments,
+             std::vector<std::uint16_t>& label_of_segment);
+
+ private:
+  struct Entry {
+    std::uint32_t points = 0;
+    std::uint32_t first_point = 0;
+    std::uint32_t segment = 0;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,31 @@
+// Equations 4.1 to 4.7: what the border between two patches of surface says about them.
+#pragma once
+
+#include "segmentation/options.hpp"
+#include "segmentation/surfel.hpp"
+
+namespace cleave::segmentation {
+
+// Equation 4.1: do the surfaces bend away from each other?
+[[nodiscard]] bool is_convex(const Surfel& i, const Surfel& j);
+
+// Equation 4.3 for a concave edge, inverse quadratic, with |n_i - n_j|^2 = 2 - 2 cos(angle).
+[[nodiscard]] float concave_weight(float cos_angle, float sigma);
+
+// Equation 4.3: likelihood of the two patches to belong to one object, 0 to 1.
+[[nodiscard]] float edge_weight(const Surfel& i, const Surfel& j, const GraphOptions& options);
+
+// Equation 4.4: the angle between the line that joins the patches and the line in which their
+// planes meet, 0 to pi/2. A quarter turn where the planes are parallel or the centroids coincide.
+[[nodiscard]] float meeting_angle_rad(const Surfel& i, const Surfel& j);
+
+// Equation 4.5: the least meeting angle of patches whose normals differ by `beta_rad`.
+[[nodiscard]] float least_meeting_angle_rad(float beta_rad, const GraphOptions& options);
+
+// Equation 4.6: false where two surfaces only happen to touch in a point.
+[[nodiscard]] bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options);
+
+// Equation 4.7, with the threshold on the weight given as the angle of a concave edge.
+[[nodiscard]] bool is_cannot_link(float weight, const GraphOptions& options);
+
+}  // namespace cleave::segmentation

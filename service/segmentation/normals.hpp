@@ -1,0 +1,25 @@
+// Normals of voxels (section 2.1.2.2).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "segmentation/moments.hpp"
+#include "segmentation/neighbour_lists.hpp"
+#include "segmentation/surfel.hpp"
+
+namespace cleave::segmentation {
+
+// Fits a plane to the centroids of two rings of neighbours around every voxel.
+class NormalEstimator {
+ public:
+  // A centroid counts once for every way to it of at most two steps, standing still being a step:
+  // near ones count more. Unit normals towards the sensor; see fit_normal for lone voxels.
+  void estimate(const std::vector<Eigen::Vector3f>& centroid, const NeighbourLists& neighbours,
+                std::vector<Surfel>& surfels);
+
+ private:
+  std::vector<Moments> own_, one_ring_;
+};
+
+}  // namespace cleave::segmentation

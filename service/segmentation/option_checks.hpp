@@ -1,0 +1,11 @@
+// Refuses options that are out of their range.
+#pragma once
+
+#include "segmentation/options.hpp"
+
+namespace cleave::segmentation {
+
+// Throws std::invalid_argument that names the first option out of its range, and the range.
+void check_options(const Options& options);
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,84 @@
+// Every option by name, with its range and meaning: what files, command lines and the Segmenter's
+// own checks are made of, so that none of them lists options itself.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "segmentation/options.hpp"
+
+namespace cleave::segmentation {
+
+// Calls, once an option, in a fixed order and with "step.option" as the name, one of
+//   visitor.number(name, float&, double min, double max, meaning)
+//   visitor.integer(name, std::uint32_t&, std::uint32_t min, std::uint32_t max, meaning)
+//   visitor.boolean(name, bool&, meaning)
+//   visitor.choice(name, std::size_t& index, choices, meaning)
+// `choices` is a std::array of std::string_view. Both ends of a range are allowed values.
+template <typename Visitor>
+void visit_options(Options& options, Visitor&& visitor) {
+  const auto choice = [&visitor](std::string_view name, auto& value, const auto& choices,
+                                 std::string_view meaning) {
+    auto index = static_cast<std::size_t>(value);
+    visitor.choice(name, index, choices, meaning);
+    value = static_cast<std::remove_reference_t<decltype(value)>>(index);
+  };
+  constexpr double quarter_turn_rad = 1.5708;
+  using Names = std::string_view;
+
+  choice("algorithm", options.algorithm, std::array{Names("ssc")},
+         "ssc: Spectral Supervoxel Clustering");
+
+  auto& voxel = options.voxel;
+  visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");
+  choice("voxel.viewpoint", voxel.viewpoint,
+         std::array{Names("automatic"), Names("single"), Names("multiple")},
+         "single: voxels grow with depth; multiple: they do not; automatic: single if all z > 0");
+  visitor.number("voxel.grid_offset", voxel.grid_offset, 0, 1, "shift of the grid, voxels");
+
+  auto& supervoxel = options.supervoxel;
+  visitor.number("supervoxel.seed_spacing_m", supervoxel.seed_spacing_m, 0.002, 10.0,
+                 "distance of seeds, metres");
+  visitor.number("supervoxel.spatial_weight", supervoxel.spatial_weight, 0, 1000,
+                 "weight of the distance in seed spacings");
+  visitor.number("supervoxel.normal_weight", supervoxel.normal_weight, 0, 1000,
+                 "weight of the difference of normals");
+  visitor.integer("supervoxel.min_seed_voxels", supervoxel.min_seed_voxels, 1, 1000,
+                  "voxels that a seed's cell must hold");
+  visitor.integer("supervoxel.sweeps", supervoxel.sweeps, 1, 100, "k-means sweeps");
+  visitor.boolean("supervoxel.refit_from_points", supervoxel.refit_from_points,
+                  "fit supervoxels to points, not to voxels");
+
+  auto& graph = options.graph;
+  visitor.number("graph.weight_sigma", graph.weight_sigma, 0.001, 1e4, "sigma of equation 4.3");
+  visitor.number("graph.validity_max_rad", graph.validity_max_rad, 0, quarter_turn_rad,
+                 "largest threshold of equation 4.5, radians");
+  visitor.number("graph.validity_offset_rad", graph.validity_offset_rad, 0, 2 * quarter_turn_rad,
+                 "beta_off of equation 4.5, radians");
+  visitor.number("graph.validity_slope", graph.validity_slope, 0, 1e4,
+                 "a of equation 4.5, per radian");
+  visitor.number("graph.cannot_link_rad", graph.cannot_link_rad, 0, 2 * quarter_turn_rad,
+                 "concave angle from which an edge is cannot-link (equation 4.7), radians");
+
+  visitor.integer("partition.eigenvectors", options.partition.eigenvectors, 1, 100,
+                  "k of algorithm 1");
+  visitor.number("partition.utility_threshold", options.partition.utility_threshold, 0, 1e6,
+                 "least utility of a cut (equation 4.8)");
+
+  visitor.integer("clean_up.min_segment_points", options.clean_up.min_segment_points, 0, 1000000,
+                  "smaller segments join a neighbour; 0: off");
+
+  auto& refine = options.refine;
+  visitor.boolean("refine.boundary", refine.boundary, "refine borders point by point");
+  visitor.integer("refine.mode_filter_radius", refine.mode_filter_radius, 0, 20,
+                  "radius of the mode filter, pixels; 0: off");
+  visitor.number("refine.mode_filter_depth_gate_m", refine.mode_filter_depth_gate_m, 0, 10,
+                 "largest difference of depth in the mode filter, metres");
+
+  visitor.number("describe.plane_distance_m", options.describe.plane_distance_m, 0, 10,
+                 "largest distance of a point that is said to lie on the plane, metres");
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,31 @@
+// Which segments touch, and how.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/cell_ranking.hpp"
+#include "segmentation/segmentation.hpp"
+#include "segmentation/supervoxel_graph.hpp"
+
+namespace cleave::segmentation {
+
+class BorderDescriber {
+ public:
+  // Segments touch if supervoxels of theirs are adjacent. The border is convex if equation 4.1
+  // holds along more than half of its length. Sorted by (first, second).
+  void describe(const std::vector<SupervoxelEdge>& edges,
+                const std::vector<std::uint32_t>& segment_of_supervoxel,
+                const std::vector<std::uint16_t>& label_of_segment, std::vector<Border>& borders);
+
+ private:
+  struct Length {
+    std::uint64_t convex = 0, concave = 0;  // touching voxels
+  };
+  std::vector<const SupervoxelEdge*> between_segments_;
+  std::vector<std::uint64_t> labels_;
+  CellRanking ranking_;
+  std::vector<Length> lengths_;
+};
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,137 @@
+#include "segmentation/segment_shapes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+
+#include "segmentation/oriented_box.hpp"
+#include "segmentation/plane_fit.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+// So many voxels, evenly picked, tell how a segment's box is turned.
+constexpr std::uint32_t max_sample = 512;
+
+Eigen::Vector3f point_at(const PointSet& points, std::size_t i) {
+  return {points.x[i], points.y[i], points.z[i]};
+}
+
+Eigen::Matrix3f principal_axes(const Moments& moments) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments.covariance());
+  return solver.eigenvectors().cast<float>();
+}
+
+}  // namespace
+
+void ShapeDescriber::sum_up(const PointSet& points, const VoxelGrid& grid,
+                            const std::vector<Surfel>& voxels,
+                            const std::vector<std::uint16_t>& label_of_point) {
+  const std::size_t labels = *std::max_element(label_of_point.begin(), label_of_point.end());
+  shapes_.assign(labels, Shape{});
+  for (std::size_t run = 0; run < grid.runs(); ++run) {
+    const Eigen::Vector3f& normal = voxels[grid.run_voxel[run]].normal;
+    for (std::uint32_t i = grid.run_begin[run]; i < grid.run_begin[run + 1]; ++i) {
+      Shape& shape = shapes_[label_of_point[i] - 1U];
+      shape.moments.add_point(points.x[i], points.y[i], points.z[i]);
+      shape.normal_sum += normal;
+    }
+  }
+}
+
+void ShapeDescriber::find_rectangles(const CloudView& cloud, const PointSet& points,
+                                     const std::vector<std::uint16_t>& label_of_point) {
+  std::uint32_t row = 0;
+  std::uint32_t row_begin = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (; points.index[i] - row_begin >= cloud.width; ++row) row_begin += cloud.width;
+    const std::uint32_t column = points.index[i] - row_begin;
+    Shape& shape = shapes_[label_of_point[i] - 1U];
+    shape.left = std::min(shape.left, column);
+    shape.right = std::max(shape.right, column);
+    shape.top = std::min(shape.top, row);
+    shape.bottom = row;
+  }
+}
+
+void ShapeDescriber::group_voxels(const VoxelGrid& grid,
+                                  const std::vector<std::uint16_t>& label_of_point) {
+  label_of_voxel_.resize(grid.size());
+  for (std::size_t run = 0; run < grid.runs(); ++run) {
+    label_of_voxel_[grid.run_voxel[run]] = label_of_point[grid.run_begin[run]];
+  }
+  voxel_begin_.assign(shapes_.size() + 1, 0);
+  for (const std::uint16_t label : label_of_voxel_) ++voxel_begin_[label - 1U];
+  std::uint32_t end = 0;
+  for (std::uint32_t& row : voxel_begin_) row = end += row;
+  voxel_.resize(end);
+  for (auto v = static_cast<std::uint32_t>(grid.size()); v-- > 0;) {
+    voxel_[--voxel_begin_[label_of_voxel_[v] - 1U]] = v;
+  }
+}
+
+void ShapeDescriber::choose_axes(const std::vector<Surfel>& voxels) {
+  for (std::size_t s = 0; s < shapes_.size(); ++s) {
+    Shape& shape = shapes_[s];
+    const Eigen::Matrix3f principal = principal_axes(shape.moments);
+    shape.centroid = shape.moments.mean().cast<float>();
+    shape.plane_normal = fit_normal(shape.moments);
+
+    const std::uint32_t count = voxel_begin_[s + 1] - voxel_begin_[s];
+    const std::uint32_t step = count / max_sample + 1;
+    sample_.clear();
+    for (std::uint32_t i = voxel_begin_[s]; i < voxel_begin_[s + 1]; i += step) {
+      sample_.push_back(voxels[voxel_[i]]);
+    }
+    const std::array<Eigen::Vector3f, 4> candidates = {principal.col(0), principal.col(1),
+                                                       principal.col(2), dominant_normal(sample_)};
+    shape.box_axes = box_axes(sample_, candidates);
+    shape.low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
+    shape.high = -shape.low;
+  }
+}
+
+void ShapeDescriber::measure(const PointSet& points,
+                             const std::vector<std::uint16_t>& label_of_point,
+                             float plane_distance_m) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Shape& shape = shapes_[label_of_point[i] - 1U];
+    const Eigen::Vector3f p = point_at(points, i);
+    const Eigen::Vector3f along = shape.box_axes.transpose() * p;
+    shape.low = shape.low.cwiseMin(along);
+    shape.high = shape.high.cwiseMax(along);
+    const float distance_m = std::abs(shape.plane_normal.dot(p - shape.centroid));
+    shape.points_on_plane += distance_m <= plane_distance_m ? 1 : 0;
+  }
+}
+
+void ShapeDescriber::describe(const CloudView& cloud, const PointSet& points, const VoxelGrid& grid,
+                              const std::vector<Surfel>& voxels,
+                              const std::vector<std::uint16_t>& label_of_point,
+                              const DescribeOptions& options, std::vector<Segment>& segments) {
+  sum_up(points, grid, voxels, label_of_point);
+  if (cloud.organised()) find_rectangles(cloud, points, label_of_point);
+  group_voxels(grid, label_of_point);
+  choose_axes(voxels);
+  measure(points, label_of_point, options.plane_distance_m);
+
+  segments.resize(shapes_.size());
+  for (std::size_t s = 0; s < shapes_.size(); ++s) {
+    const Shape& shape = shapes_[s];
+    Segment& segment = segments[s];
+    segment.label = static_cast<std::uint16_t>(s + 1);
+    segment.point_count = static_cast<std::uint32_t>(shape.moments.n);
+    segment.centroid = shape.centroid;
+    segment.mean_normal = unit_or_towards_sensor(shape.normal_sum, shape.centroid);
+    segment.box = make_box(shape.box_axes, shape.low, shape.high);
+    segment.rectangle = {};
+    if (cloud.organised()) {
+      segment.rectangle = {shape.left, shape.top, shape.right + 1, shape.bottom + 1};
+    }
+    segment.planarity =
+        static_cast<float>(shape.points_on_plane) / static_cast<float>(segment.point_count);
+  }
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,25 @@
+#include "segmentation/supervoxel_graph.hpp"
+
+#include "segmentation/edge_heuristics.hpp"
+
+namespace cleave::segmentation {
+
+void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
+                            const std::vector<Surfel>& supervoxels, const GraphOptions& options,
+                            std::vector<SupervoxelEdge>& edges) {
+  edges.clear();
+  for (const AdjacentPair& pair : pairs) {
+    const Surfel& i = supervoxels[pair.first];
+    const Surfel& j = supervoxels[pair.second];
+    const float weight = edge_weight(i, j, options);
+    edges.push_back({.first = pair.first,
+                     .second = pair.second,
+                     .touching_voxels = pair.touching_voxels,
+                     .weight = weight,
+                     .convex = is_convex(i, j),
+                     .valid = is_valid(i, j, options),
+                     .cannot_link = is_cannot_link(weight, options)});
+  }
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,27 @@
+// The graph that is partitioned (section 4.1.2).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/adjacency.hpp"
+#include "segmentation/options.hpp"
+#include "segmentation/surfel.hpp"
+
+namespace cleave::segmentation {
+
+struct SupervoxelEdge {
+  std::uint32_t first = 0, second = 0;  // supervoxels, first < second
+  std::uint32_t touching_voxels = 0;    // length of the border
+  float weight = 0;                     // equation 4.3
+  bool convex = false;                  // equation 4.1
+  bool valid = false;                   // equation 4.6; others do not count in the partition
+  bool cannot_link = false;             // equation 4.7
+};
+
+// One edge an adjacent pair, in the pairs' order.
+void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
+                            const std::vector<Surfel>& supervoxels, const GraphOptions& options,
+                            std::vector<SupervoxelEdge>& edges);
+
+}  // namespace cleave::segmentation

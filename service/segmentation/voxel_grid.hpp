@@ -1,0 +1,44 @@
+// Downsampling to voxels (section 2.1.2.1).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/cell_packing.hpp"
+#include "segmentation/cell_ranking.hpp"
+#include "segmentation/moments.hpp"
+#include "segmentation/options.hpp"
+#include "segmentation/point_set.hpp"
+
+namespace cleave::segmentation {
+
+struct VoxelGrid {
+  CellPacking packing;
+  std::vector<std::uint64_t> key;         // a voxel, ascending
+  std::vector<Moments> moments;           // of a voxel's points
+  std::vector<Eigen::Vector3f> centroid;  // of a voxel's points, metres
+  // Points that follow each other in the cloud often share a voxel: those are one run.
+  std::vector<std::uint32_t> run_begin;  // runs + 1; indices of points
+  std::vector<std::uint32_t> run_voxel;  // runs
+
+  [[nodiscard]] std::size_t size() const { return key.size(); }
+  [[nodiscard]] std::size_t runs() const { return run_voxel.size(); }
+};
+
+// Sorts points into voxels: cubes in (x/z, y/z, ln z) for one viewpoint, in (x, y, z) for several.
+class Voxeliser {
+ public:
+  void voxelise(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid);
+
+ private:
+  void find_cells(const PointSet& points, const VoxelOptions& options);
+  void find_runs(VoxelGrid& grid);
+
+  std::array<std::vector<std::int32_t>, 3> cell_;  // a point; after find_runs, a run
+  std::vector<std::uint64_t> run_key_;
+  CellRanking ranking_;
+};
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,12 @@
+// The adjacency that the grid induces (section 2.1.2.1): voxels that share a face, edge or corner.
+#pragma once
+
+#include "segmentation/neighbour_lists.hpp"
+#include "segmentation/voxel_grid.hpp"
+
+namespace cleave::segmentation {
+
+// Up to 26 neighbours a voxel, ascending. One sweep over the sorted keys, without a lookup table.
+void find_voxel_neighbours(const VoxelGrid& grid, NeighbourLists& neighbours);
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,61 @@
+// The segmenter as a node of the stream: one pipeline a sensor, their status, and RouDi's health.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "libcleave/roudi.hpp"
+#include "libcleave/shutdown.hpp"
+#include "libcleave/status.hpp"
+#include "libcleave/stream.hpp"
+#include "segmentation/options.hpp"
+#include "segmenter/frame_queue.hpp"
+#include "segmenter/sensor_pipeline.hpp"
+
+namespace cleave::service {
+
+struct DaemonSettings {
+  StreamOptions stream;
+  std::vector<std::string> sensors;
+  std::size_t workers = 1;  // a sensor
+  std::size_t queue_capacity = 2;
+  Mode mode = Mode::live;
+  segmentation::Options segmentation;
+};
+
+enum class Ending {
+  asked,          // by a signal
+  roudi_replaced  // what joined the new RouDi is out of reach: start the program anew
+};
+
+class Daemon {
+ public:
+  // Ready, and said so, when it returns. Throws std::runtime_error, or std::invalid_argument for a
+  // wrong option of the segmentation.
+  explicit Daemon(const DaemonSettings& settings);
+
+  // Until shutdown is requested or RouDi replaced; drains before it returns.
+  [[nodiscard]] Ending run(Shutdown& shutdown);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void start(const DaemonSettings& settings, const std::string& sensor);
+  [[nodiscard]] bool roudi_replaced();
+  void publish_status(const SensorPipeline& pipeline);
+  void publish_due_status();
+  void drain();
+
+  Stream stream_;
+  StatusPublisher status_;
+  std::optional<RouDiWatch> roudi_;  // where shared memory is in force
+  std::string roudi_error_;
+  Clock::time_point next_roudi_check_{};
+  Clock::time_point next_status_{};
+  std::vector<std::unique_ptr<SensorPipeline>> pipelines_;
+};
+
+}  // namespace cleave::service

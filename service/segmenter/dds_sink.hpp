@@ -1,0 +1,30 @@
+// Results on their DDS topics.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "libcleave/stream.hpp"
+#include "libcleave/types.hpp"
+#include "libcleave/writer.hpp"
+#include "segmenter/result_sink.hpp"
+
+namespace cleave::service {
+
+class DdsSink : public ResultSink {
+ public:
+  // Throws std::runtime_error.
+  DdsSink(Stream& stream, std::string_view sensor)
+      : labels_(stream, sensor), segments_(stream, sensor) {}
+
+  [[nodiscard]] std::unique_ptr<LabelLoan> loan_labels() override;
+  [[nodiscard]] bool publish(const SegmentList& segments) override {
+    return segments_.publish(segments);
+  }
+
+ private:
+  Writer<LabelMap> labels_;
+  Writer<SegmentList> segments_;
+};
+
+}  // namespace cleave::service

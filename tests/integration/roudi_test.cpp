@@ -1,0 +1,89 @@
+// RouDi absent, gone and back: said aloud, and segments flow.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/integration/daemons.hpp"
+#include "tests/integration/monitor.hpp"
+#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/small_clouds.hpp"
+
+namespace cleave::test {
+namespace {
+
+class RouDiFault : public testing::Test {
+ protected:
+  RouDiFault() { write_pcd(folder_.path() / "a.pcd", 80, 60); }
+
+  Process grabber() { return daemons_.grabber("pcd:" + folder_.path().string(), {"--loop"}); }
+
+  NodeReport segmenter_status() {
+    monitor_.poll();
+    return monitor_.status("segmenter/camera");
+  }
+
+  testing::AssertionResult segments_flow() {
+    monitor_.poll();
+    const std::size_t wanted = monitor_.lists().size() + 5;
+    const bool flow = eventually([&] {
+      monitor_.poll();
+      return monitor_.lists().size() >= wanted;
+    });
+    return flow ? testing::AssertionSuccess() : testing::AssertionFailure() << "no segments come";
+  }
+
+  TemporaryFolder folder_;
+  Daemons daemons_{13, true};
+  Monitor monitor_{13, "camera"};
+};
+
+TEST_F(RouDiFault, WithoutRouDiTheNetworkCarriesTheCloudsAndTheLogAndTheStatusSaySo) {
+  const RouDiLock nobody_starts_one;
+  Process segmenter = daemons_.segmenter();
+  const Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log();
+  EXPECT_NE(segmenter.log().find("no RouDi answers"), std::string::npos);
+  ASSERT_TRUE(eventually([&] { return segmenter_status().frames_in > 0; }));
+  EXPECT_EQ(segmenter_status().transport, Transport::network);
+  EXPECT_EQ(segmenter_status().frames_zero_copy, 0U);
+}
+
+TEST_F(RouDiFault, WithRouDiEveryCloudIsHandedOverWithoutACopy) {
+  const RouDi roudi;
+  Process segmenter = daemons_.segmenter();
+  Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  ASSERT_TRUE(eventually([&] { return segmenter_status().frames_in > 0; }));
+  const NodeReport status = segmenter_status();
+  EXPECT_EQ(status.transport, Transport::shared_memory);
+  EXPECT_EQ(status.frames_zero_copy, status.frames_in - status.dropped_by_cause.count("transport"));
+}
+
+TEST_F(RouDiFault, ARouDiThatDiesIsReportedWhileSegmentsFlowAndARouDiThatComesBackIsJoined) {
+  RouDi roudi;
+  Process segmenter = daemons_.segmenter();
+  Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+
+  roudi.kill();
+  EXPECT_TRUE(eventually([&] {
+    return segmenter_status().last_error.find("RouDi") != std::string::npos;
+  })) << segmenter.log();
+  EXPECT_TRUE(segments_flow()) << segmenter.log();
+
+  roudi.start();
+  EXPECT_TRUE(segmenter.logs("restart")) << segmenter.log();
+  EXPECT_TRUE(camera.logs("restart")) << camera.log();
+  EXPECT_TRUE(eventually([&] { return segmenter_status().last_error.empty(); }));
+  EXPECT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  EXPECT_TRUE(segmenter.running());
+  EXPECT_TRUE(camera.running());
+
+  camera.signal(SIGTERM);
+  EXPECT_EQ(camera.wait(), 0);
+  segmenter.signal(SIGTERM);
+  EXPECT_EQ(segmenter.wait(), 0);
+}
+
+}  // namespace
+}  // namespace cleave::test
