@@ -89,9 +89,8 @@ std::optional<RawSample> RawReader::take() {
   }
 }
 
-unsigned RawReader::matched_writers() const {
-  // A killed writer stays matched until its participant's lease of 10 s ends; alive it is no longer
-  // after its own.
+// By liveliness, not by matching: a killed process stays matched for its participant's lease of 10 s.
+unsigned RawReader::live_writers() const {
   dds_liveliness_changed_status_t status;
   const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;
   return known ? status.alive_count : 0;
