@@ -13,7 +13,7 @@ namespace cleave::config {
 
 struct SegmenterConfig {
   std::vector<std::string> sensors = {"camera"};  // whose clouds are segmented, each name once
-  std::uint32_t workers = 0;  // 1 to 16 frames at a time; 0 = as many as cores, less one
+  std::uint32_t workers = 0;  // 1 to 6 frames of a sensor at a time; 0 = cores less one
   std::uint32_t queue = 2;    // 1 to 8 frames that may wait for a worker
   Mode mode = Mode::live;
   StreamConfig stream;
@@ -27,7 +27,7 @@ struct SegmenterConfig {
 // Throws ConfigurationError.
 [[nodiscard]] SegmenterConfig read_segmenter_config(Section& file);
 
-// Workers to start: `workers`, or where that is 0 one less than `cores`, within 1 to 16.
+// Workers to start: `workers`, or where that is 0 one less than `cores`, within 1 to 6.
 [[nodiscard]] std::uint32_t worker_count(const SegmenterConfig& config, std::uint32_t cores);
 
 }  // namespace cleave::config

@@ -13,7 +13,8 @@ struct PcdFiles {
   std::string failure;                        // why the path cannot be looked into; empty if it can
 };
 
-// A folder's files, not those of folders in it, or the one file that the path names.
+// A folder's files, not those of folders in it, or the one file that the path names. A folder
+// whose own name ends in .pcd is among `files`, for it will prove unreadable and be named.
 [[nodiscard]] PcdFiles list_pcd_files(const std::filesystem::path& path);
 
 }  // namespace cleave::sensor

@@ -19,8 +19,9 @@ struct SceneParameters {
   std::uint32_t seed = 1;
   std::uint32_t min_objects = 6;
   std::uint32_t max_objects = 11;
-  double touching = 0.4;  // probability that an object slides into contact with another
-  double stacked = 0.25;  // probability that it stands on another
+  // Shares of the attempts to place an object; those that do not fit are made anew.
+  double touching = 0.4;  // slides into contact with another
+  double stacked = 0.25;  // stands on another
 };
 
 // The names that scene_parameters() knows.

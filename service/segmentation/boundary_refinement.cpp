@@ -7,30 +7,19 @@
 namespace cleave::segmentation {
 namespace {
 
-// A plane reaches farther than the patch that it was fitted to: distance from the patch's middle
-// counts too, a little. Patches of few points have uncertain planes and must fit better.
-constexpr float distance_share = 0.2F;
-constexpr std::uint32_t enough_points = 20;
-constexpr float few_points_penalty_m = 0.002F;
-
-float misfit_m(const Eigen::Vector3f& point, const Surfel& surfel, std::uint32_t points) {
-  const Eigen::Vector3f offset = point - surfel.position;
-  return std::abs(offset.dot(surfel.normal)) + distance_share * offset.norm() +
-         (points < enough_points ? few_points_penalty_m : 0);
-}
-
-std::uint32_t best_supervoxel(const Eigen::Vector3f& point, const Supervoxels& supervoxels,
-                              std::span<const std::uint32_t> candidates) {
-  std::uint32_t best = candidates.front();
-  float least_misfit_m = std::numeric_limits<float>::infinity();
+std::uint32_t nearest_plane(const Eigen::Vector3f& point, const std::vector<Surfel>& supervoxels,
+                            std::span<const std::uint32_t> candidates) {
+  std::uint32_t nearest = candidates.front();
+  float least_distance_m = std::numeric_limits<float>::infinity();
   for (const std::uint32_t s : candidates) {
-    const float m = misfit_m(point, supervoxels.surfel[s], supervoxels.point_count[s]);
-    if (m < least_misfit_m) {
-      least_misfit_m = m;
-      best = s;
+    const Surfel& plane = supervoxels[s];
+    const float distance_m = std::abs(plane.normal.dot(point - plane.position));
+    if (distance_m < least_distance_m) {
+      least_distance_m = distance_m;
+      nearest = s;
     }
   }
-  return best;
+  return nearest;
 }
 
 }  // namespace
@@ -70,7 +59,8 @@ void BoundaryRefiner::refine(const PointSet& points, const VoxelGrid& grid,
     if (candidates.empty()) continue;
     for (std::uint32_t i = grid.run_begin[run]; i < grid.run_begin[run + 1]; ++i) {
       const Eigen::Vector3f point(points.x[i], points.y[i], points.z[i]);
-      segment_of_point[i] = segment_of_supervoxel[best_supervoxel(point, supervoxels, candidates)];
+      segment_of_point[i] =
+          segment_of_supervoxel[nearest_plane(point, supervoxels.surfel, candidates)];
     }
   }
 }

@@ -12,7 +12,8 @@
 namespace cleave::segmentation {
 
 // A voxel lies on a border if a neighbour belongs to another segment. Each point of such a voxel
-// goes to the supervoxel, of its own voxel or of the neighbours, that it fits best.
+// goes to the supervoxel, of its own voxel or of the neighbours, whose plane is nearest: at a
+// crease the planes say exactly where the border runs.
 class BoundaryRefiner {
  public:
   // Changes `segment_of_point` of points in border voxels.

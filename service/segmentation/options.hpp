@@ -23,7 +23,7 @@ struct SupervoxelOptions {
   float seed_spacing_m = 0.025F;
   float spatial_weight = 1;
   float normal_weight = 8;
-  std::uint32_t min_seed_voxels = 6;  // cells of the seed grid with fewer voxels get no seed
+  std::uint32_t min_seed_voxels = 5;  // cells of the seed grid with fewer voxels get no seed
   std::uint32_t sweeps = 6;
   bool refit_from_points = true;  // centroid and normal from all points, not from voxels
 };

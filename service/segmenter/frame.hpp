@@ -32,7 +32,6 @@ struct Frame {
 struct FinishedFrame {
   FrameHeader header{};
   std::optional<RejectCause> rejected;
-  bool identified = true;             // false: the ids of its header cannot be believed
   FrameQueue<Frame>::Place place;     // lets the next frame in when this one, and its loan, is gone
   std::unique_ptr<LabelLoan> labels;  // empty for a rejected frame
   segmentation::Segmentation segmentation;

@@ -15,6 +15,12 @@ std::uint64_t& count_of(std::array<std::uint64_t, N>& counts, Cause cause) {
   return counts.at(static_cast<std::size_t>(cause));
 }
 
+// Whether a grabber that published `before` counts on to `after`.
+bool goes_on(FrameKey before, FrameKey after) {
+  const std::uint32_t epochs = after.epoch - before.epoch;
+  return epochs <= 1 && after.id > before.id;
+}
+
 }  // namespace
 
 std::uint64_t FrameCounts::dropped_total() const {
@@ -48,13 +54,6 @@ Arrived FrameLedger::arrive(FrameKey key, bool zero_copy) {
   return {Arrival::again, 0};
 }
 
-void FrameLedger::reject_unidentified(RejectCause cause, bool zero_copy) {
-  const std::lock_guard lock(mutex_);
-  ++counts_.received;
-  if (zero_copy) ++counts_.zero_copy;
-  ++count_of(counts_.rejected, cause);
-}
-
 void FrameLedger::publish(FrameKey key) {
   const std::lock_guard lock(mutex_);
   if (leave_flight(key)) ++counts_.published;
@@ -77,9 +76,9 @@ FrameCounts FrameLedger::snapshot() const {
   return counts_;
 }
 
-// The ids between the newest frame and `key` in one epoch never came.
+// The ids between the newest frame and `key`, a later one of the same grabber, never came.
 std::uint64_t FrameLedger::count_gap(FrameKey key) {
-  if (!newest_ || newest_->epoch != key.epoch) return 0;
+  if (!newest_ || !goes_on(*newest_, key)) return 0;
   const std::uint64_t missed = key.id - newest_->id - 1;
   counts_.received += missed;
   count_of(counts_.dropped, DropCause::transport) += missed;

@@ -43,8 +43,9 @@ struct Arrived {
   std::uint64_t missed = 0;  // frames before it that never came: counted as dropped in transport
 };
 
-// A frame is its epoch and id. Ids rise by one within an epoch; another epoch starts them anew, and
-// what came before the first frame of an epoch is not missed.
+// A frame is its epoch and id, whatever else is wrong with it. Ids rise by one for every frame that
+// a grabber publishes, and go on when its epoch rises by one. Any other epoch is another grabber,
+// whose ids start anew: what came before its first frame is not missed.
 //
 // The lossless grabber publishes a frame again, under the same id, until its segment list comes
 // back. A resend of a frame that was counted as dropped takes that back: the frame is in flight
@@ -54,8 +55,6 @@ struct Arrived {
 class FrameLedger {
  public:
   [[nodiscard]] Arrived arrive(FrameKey key, bool zero_copy);
-  // A frame whose header says nothing that can be believed: received and rejected at once.
-  void reject_unidentified(RejectCause cause, bool zero_copy);
 
   // How a frame ended. For a frame that arrived `again` these count nothing.
   void publish(FrameKey key);

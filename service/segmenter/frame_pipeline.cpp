@@ -36,26 +36,20 @@ FramePipeline::FramePipeline(const PipelineSettings& settings, ResultSink& sink,
 void FramePipeline::accept(std::shared_ptr<const DepthCloud> cloud, bool zero_copy) {
   const FrameHeader header = private_copy(cloud->header);
   const std::optional<RejectCause> bad = check_header(header, settings_.sensor);
-  if (bad == RejectCause::bad_header) {
-    ledger_.reject_unidentified(*bad, zero_copy);
-    answer_rejected(header, *bad, false);
-    return;
-  }
   const Arrived arrived = ledger_.arrive(key_of(header), zero_copy);
   if (arrived.missed > 0) report_gap(header, arrived.missed);
   if (arrived.arrival == Arrival::in_flight) return;
   if (bad) {
-    answer_rejected(header, *bad, true);
+    answer_rejected(header, *bad);
   } else {
     enqueue(header, std::move(cloud));
   }
 }
 
-void FramePipeline::answer_rejected(const FrameHeader& header, RejectCause cause, bool identified) {
+void FramePipeline::answer_rejected(const FrameHeader& header, RejectCause cause) {
   FinishedFrame finished;
   finished.header = answerable(header, settings_.sensor);
   finished.rejected = cause;
-  finished.identified = identified;
   order_.complete(order_.draw(), std::move(finished));
 }
 

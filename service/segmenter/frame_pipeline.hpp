@@ -59,7 +59,7 @@ class FramePipeline {
   [[nodiscard]] std::string last_problem() const { return problems_.last(); }
 
  private:
-  void answer_rejected(const FrameHeader& header, RejectCause cause, bool identified);
+  void answer_rejected(const FrameHeader& header, RejectCause cause);
   void enqueue(const FrameHeader& header, std::shared_ptr<const DepthCloud> cloud);
   void work(const SegmentFunction& segment);
   void process(FrameQueue<Frame>::Taken taken, const SegmentFunction& segment);

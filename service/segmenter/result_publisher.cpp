@@ -39,16 +39,14 @@ bool ResultPublisher::publish_segments(const FinishedFrame& frame) {
 }
 
 void ResultPublisher::count_refused(const FinishedFrame& frame) {
-  if (frame.identified) ledger_.drop(key_of(frame.header), DropCause::refused_by_dds);
+  ledger_.drop(key_of(frame.header), DropCause::refused_by_dds);
   problems_.report(ProblemLog::Severity::error, refused_,
                    fmt::format("frame {} of sensor '{}' is dropped: DDS refused its results",
                                frame.header.frame_id, name_of(frame.header.sensor)));
 }
 
 void ResultPublisher::count_rejected(const FinishedFrame& frame) {
-  if (frame.identified) {
-    ledger_.reject(key_of(frame.header), *frame.rejected);
-  }
+  ledger_.reject(key_of(frame.header), *frame.rejected);
   problems_.report(
       ProblemLog::Severity::warning, rejected_,
       fmt::format("frame {} for sensor '{}' is rejected: {} ({} x {} points)",

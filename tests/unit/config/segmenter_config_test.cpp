@@ -48,7 +48,7 @@ TEST(SegmenterConfig, RefusesSensorsThatAreNoneOrTwice) {
 
 TEST(SegmenterConfig, RefusesCountsOutOfRange) {
   EXPECT_EQ(message("workers: 17\n"),
-            "file:1: workers: expected a whole number from 0 to 16, found '17'");
+            "file:1: workers: expected a whole number from 0 to 6, found '17'");
   EXPECT_EQ(message("queue: 0\n"), "file:1: queue: expected a whole number from 1 to 8, found '0'");
 }
 
@@ -58,7 +58,7 @@ TEST(SegmenterConfig, LeavesOneCoreToTheRestOfTheSystem) {
   EXPECT_EQ(worker_count(config, 1), 1U);
   EXPECT_EQ(worker_count(config, 2), 1U);
   EXPECT_EQ(worker_count(config, 8), 7U);
-  EXPECT_EQ(worker_count(config, 128), 16U);
+  EXPECT_EQ(worker_count(config, 128), 6U);
   config.workers = 3;
   EXPECT_EQ(worker_count(config, 128), 3U);
 }

@@ -1,4 +1,4 @@
-#include "segmenter/restart.hpp"
+#include "libcleave/restart.hpp"
 
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace cleave::service {
+namespace cleave {
 
 void restart_in_place(char** arguments) {
   // Sockets and locks of the old RouDi's runtime must not live on in the new program.
@@ -19,4 +19,4 @@ void restart_in_place(char** arguments) {
   throw std::runtime_error(std::string("cannot restart /proc/self/exe: ") + std::strerror(errno));
 }
 
-}  // namespace cleave::service
+}  // namespace cleave

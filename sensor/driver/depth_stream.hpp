@@ -1,0 +1,50 @@
+// The synthetic camera's depth stream.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+#include "sensor/driver/oni_driver_api.hpp"
+#include "sensor/driver/rendered_loop.hpp"
+#include "sensor/renderer/scene_uri.hpp"
+
+namespace cleave::driver {
+
+// The only one that the camera has.
+[[nodiscard]] OniVideoMode video_mode(const render::SceneRequest& request);
+
+// One thread delivers a frame at each tick of the mode's rate; ticks are absolute, so that the rate
+// does not drift. Ticks that the machine missed are left out. Time stamps are the ticks' times in
+// microseconds since the stream was created.
+class DepthStream : public oni::driver::StreamBase {
+ public:
+  DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services);
+  ~DepthStream() override;
+  DepthStream(const DepthStream&) = delete;
+  DepthStream& operator=(const DepthStream&) = delete;
+
+  OniStatus start() override;
+  void stop() override;
+  OniBool isPropertySupported(int property) override;
+  OniStatus getProperty(int property, void* data, int* size) override;
+  OniStatus setProperty(int property, const void* data, int size) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void deliver(const std::stop_token& stopped);
+  void send(const std::vector<std::uint16_t>& depth_mm, int frame_index, Clock::time_point tick);
+
+  oni::driver::DriverServices& services_;
+  OniVideoMode mode_;
+  Clock::time_point created_ = Clock::now();
+  RenderedLoop loop_;
+  std::mutex mutex_;  // guards nothing: the pause between ticks waits on it
+  std::condition_variable_any pause_;
+  std::jthread deliverer_;
+};
+
+}  // namespace cleave::driver

@@ -1,0 +1,54 @@
+#include "sensor/driver/device.hpp"
+
+#include "sensor/driver/depth_stream.hpp"
+
+namespace cleave::driver {
+
+Device::Device(const std::string& scene, oni::driver::DriverServices& services)
+    : scene_(scene),
+      request_(render::parse_scene(scene)),
+      services_(services),
+      mode_(video_mode(request_)),
+      depth_sensor_{ONI_SENSOR_DEPTH, 1, &mode_} {}
+
+OniStatus Device::getSensorInfoList(OniSensorInfo** sensors, int* count) {
+  *sensors = &depth_sensor_;
+  *count = 1;
+  return ONI_STATUS_OK;
+}
+
+oni::driver::StreamBase* Device::createStream(OniSensorType type) {
+  if (type != ONI_SENSOR_DEPTH) {
+    services_.errorLoggerAppend("the synthetic camera has a depth sensor only");
+    return nullptr;
+  }
+  return guarded<oni::driver::StreamBase*>(services_, nullptr,
+                                           [this] { return new DepthStream(request_, services_); });
+}
+
+void Device::destroyStream(oni::driver::StreamBase* stream) {
+  delete stream;
+}
+
+OniBool Device::isPropertySupported(int property) {
+  return property == ONI_DEVICE_PROPERTY_DRIVER_VERSION ||
+                 property == ONI_DEVICE_PROPERTY_SERIAL_NUMBER
+             ? TRUE
+             : FALSE;
+}
+
+OniStatus Device::getProperty(int property, void* data, int* size) {
+  if (property == ONI_DEVICE_PROPERTY_DRIVER_VERSION) {
+    return answer(OniVersion{0, 1, 0, 0}, data, size);
+  }
+  if (property == ONI_DEVICE_PROPERTY_SERIAL_NUMBER) {
+    const int needed = static_cast<int>(scene_.size()) + 1;
+    if (*size < needed) return ONI_STATUS_BAD_PARAMETER;
+    std::memcpy(data, scene_.c_str(), scene_.size() + 1);
+    *size = needed;
+    return ONI_STATUS_OK;
+  }
+  return ONI_STATUS_NOT_SUPPORTED;
+}
+
+}  // namespace cleave::driver

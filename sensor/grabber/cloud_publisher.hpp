@@ -1,0 +1,43 @@
+// Frames of a source become clouds on the stream.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "libcleave/stream.hpp"
+#include "libcleave/types.hpp"
+#include "libcleave/writer.hpp"
+#include "sensor/grabber/frame_key.hpp"
+#include "sensor/source.hpp"
+
+namespace cleave::sensor {
+
+enum class Publication { done, no_free_chunk, refused };
+
+// A published frame, kept because it may have to be published again.
+struct KeptFrame {
+  FrameHeader header;
+  std::vector<float> xyz;
+};
+
+class CloudPublisher {
+ public:
+  // Names must fit the contract. `depth`: clouds kept for readers that the network serves.
+  CloudPublisher(Stream& stream, const std::string& sensor, const std::string& coordinate_frame,
+                 WriterDepth depth);
+
+  // The source writes its points straight into the memory that is published. With `copy` they are
+  // also put there.
+  [[nodiscard]] Publication publish(const Frame& frame, FrameKey key, Source& source,
+                                    KeptFrame* copy);
+  [[nodiscard]] Publication publish_again(const KeptFrame& frame);
+
+  [[nodiscard]] unsigned readers() const { return writer_.matched_readers(); }
+  [[nodiscard]] bool zero_copy() const { return writer_.zero_copy(); }
+
+ private:
+  Writer<DepthCloud> writer_;
+  FrameHeader header_;  // with the names filled in
+};
+
+}  // namespace cleave::sensor

@@ -1,0 +1,68 @@
+#include "sensor/grabber/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "idl/topics.hpp"
+
+namespace cleave::sensor {
+namespace {
+
+constexpr char examples[] =
+    "Sources:\n"
+    "  openni2:          the first camera that OpenNI2 finds\n"
+    "  openni2:URI       one camera\n"
+    "  synthetic:SCENE   the synthetic camera\n"
+    "  pcd:PATH          a point cloud, or a folder of them in natural order\n"
+    "\n"
+    "Examples:\n"
+    "  cleave-grabber --config grabber.yaml\n"
+    "  cleave-grabber --config grabber.yaml --source synthetic:medium --frames 300\n"
+    "  cleave-grabber --config grabber.yaml --source pcd:recordings --lossless\n"
+    "  cleave-grabber --config grabber.yaml --source pcd:scene.pcd --loop --fps 10\n"
+    "\n"
+    "Ends with 0 when it is done, 1 when it failed, 2 for wrong usage or configuration.\n"
+    "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_LOG sets the log level (trace to error).\n";
+
+std::string check_sensor(const std::string& name) {
+  return is_valid_sensor_name(name) ? "" : "expected 1 to 63 letters, digits, '_' or '-'";
+}
+
+}  // namespace
+
+std::variant<Settings, int> read_command_line(int argc, char** argv) {
+  CLI::App app("Publishes the frames of a depth camera, or of recordings, as clouds.",
+               "cleave-grabber");
+  app.footer(examples);
+  std::string file;
+  std::optional<std::string> source, sensor;
+  std::optional<std::uint32_t> fps;
+  std::optional<std::uint64_t> frames;
+  bool loop = false, lossless = false, no_shared_memory = false;
+  app.add_option("--config", file, "configuration file (YAML)")->required();
+  app.add_option("--source", source, "where frames come from, a URI as below");
+  app.add_option("--sensor", sensor, "name of the sensor in the topics")
+      ->check(CLI::Validator(check_sensor, "NAME"));
+  app.add_option("--fps", fps, "frames a second")->check(CLI::Range(1, 240));
+  app.add_option("--frames", frames, "end after so many published frames")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--loop", loop, "start recordings again at their end");
+  app.add_flag("--lossless", lossless, "publish a frame only when earlier ones are segmented");
+  app.add_flag("--no-shared-memory", no_shared_memory, "send clouds over loopback");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  Settings settings{config::load_grabber_config(file), frames};
+  config::GrabberConfig& config = settings.config;
+  if (source) config.source = *source;
+  if (sensor) config.sensor = *sensor;
+  if (fps) config.fps = *fps;
+  if (loop) config.loop = true;
+  if (lossless) config.mode = config::Mode::lossless;
+  if (no_shared_memory) config.stream.shared_memory = false;
+  return settings;
+}
+
+}  // namespace cleave::sensor

@@ -1,0 +1,74 @@
+// cleave-grabber: a depth camera, or recordings, to cleave/<sensor>/cloud.
+#include <spdlog/spdlog.h>
+
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <variant>
+
+#include "libcleave/logging.hpp"
+#include "libcleave/shutdown.hpp"
+#include "libcleave/stream.hpp"
+#include "sensor/grabber/command_line.hpp"
+#include "sensor/grabber/grabber.hpp"
+#include "sensor/grabber/restart.hpp"
+#include "sensor/grabber/sensor_lock.hpp"
+#include "sensor/make_source.hpp"
+
+namespace cleave::sensor {
+namespace {
+
+StreamOptions stream_options(const config::StreamConfig& config) {
+  return with_environment({config.domain, config.shared_memory, config.public_interface});
+}
+
+GrabberOptions grabber_options(const Settings& settings) {
+  const config::GrabberConfig& config = settings.config;
+  GrabberOptions options{config.sensor, coordinate_frame_of(config), config.fps, std::nullopt,
+                         settings.max_frames};
+  if (config.mode == config::Mode::lossless) options.window = config.window;
+  return options;
+}
+
+int run(const Settings& settings, std::unique_ptr<Source> source, const StreamOptions& options,
+        char** argv) {
+  Shutdown shutdown;
+  const config::GrabberConfig& config = settings.config;
+  const SensorLock lock(options.domain, config.sensor);
+  Stream stream(options);
+  spdlog::info("sensor '{}' from {}, {} ({})", config.sensor, config.source,
+               to_string(stream.transport()), stream.transport_reason());
+  Grabber grabber(grabber_options(settings), stream, *source, shutdown);
+  const Ending ending = grabber.run();
+  if (ending == Ending::roudi_replaced) restart_in_place(argv);
+  return ending == Ending::done ? 0 : 1;
+}
+
+int run(int argc, char** argv) {
+  try {
+    const std::variant<Settings, int> parsed = read_command_line(argc, argv);
+    if (const int* const code = std::get_if<int>(&parsed)) return *code;
+    const Settings& settings = std::get<Settings>(parsed);
+    const config::GrabberConfig& config = settings.config;
+    const StreamOptions options = stream_options(config.stream);
+    const VideoMode mode{config.video.width, config.video.height, config.fps};
+    return run(settings, make_source(config.source, mode, config.loop), options, argv);
+  } catch (const config::ConfigurationError& error) {
+    spdlog::error("{}", error.what());
+    return 2;
+  } catch (const std::invalid_argument& error) {  // a source or CLEAVE_DOMAIN
+    spdlog::error("{}", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace cleave::sensor
+
+int main(int argc, char** argv) {
+  cleave::init_logging("cleave-grabber");
+  return cleave::sensor::run(argc, argv);
+}

@@ -1,0 +1,10 @@
+// Starting the program anew in place.
+#pragma once
+
+namespace cleave::sensor {
+
+// Replaces this process by a fresh one of the same program and arguments: same process id, nothing
+// else kept. Never returns; throws std::runtime_error if the system refuses.
+[[noreturn]] void restart_in_place(char** arguments);
+
+}  // namespace cleave::sensor

@@ -1,0 +1,49 @@
+// What the grabber tells about itself, and what it sees of RouDi.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "libcleave/roudi.hpp"
+#include "libcleave/status.hpp"
+#include "libcleave/stream.hpp"
+
+namespace cleave::sensor {
+
+// Publishes the status every half second and at once when the state or the error changes; looks
+// after RouDi once a second.
+class Supervisor {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Fill = std::function<void(NodeReport&, Clock::time_point)>;  // the counts of the moment
+
+  Supervisor(Stream& stream, const std::string& sensor, Fill fill);
+
+  void set_state(NodeState state);
+  [[nodiscard]] NodeState state() const { return report_.state; }
+  // The source's; empty = none. Shown unless RouDi is gone, which is worse.
+  void set_error(const std::string& error);
+  // Publishes the status if it is due, and checks RouDi if that is. Call several times a second.
+  void update(Clock::time_point now);
+  // Publishes the status now.
+  void publish();
+  // Another RouDi than the one that this process joined runs: only a restart joins it.
+  [[nodiscard]] bool roudi_replaced() const { return roudi_replaced_; }
+
+ private:
+  void check_roudi();
+
+  StatusPublisher publisher_;
+  Fill fill_;
+  NodeReport report_;
+  std::string source_error_;
+  std::string roudi_error_;
+  std::optional<RouDiWatch> roudi_;  // only where shared memory is in force
+  bool roudi_replaced_ = false;
+  Clock::time_point next_status_{};
+  Clock::time_point next_check_{};
+};
+
+}  // namespace cleave::sensor

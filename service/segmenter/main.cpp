@@ -1,0 +1,50 @@
+// cleave-segmenter: clouds in, label maps and segment lists out.
+#include <spdlog/spdlog.h>
+
+#include <exception>
+#include <stdexcept>
+#include <variant>
+
+#include "config/section.hpp"
+#include "libcleave/logging.hpp"
+#include "libcleave/restart.hpp"
+#include "libcleave/shutdown.hpp"
+#include "segmenter/command_line.hpp"
+#include "segmenter/daemon.hpp"
+#include "segmenter/settings.hpp"
+
+namespace {
+
+constexpr int done = 0;
+constexpr int failed = 1;
+constexpr int wrong_usage = 2;
+
+using namespace cleave::service;
+
+// The daemon, and with it every connection to RouDi, is gone when this returns.
+Ending run(const CommandLine& line) {
+  cleave::Shutdown shutdown;
+  return Daemon(read_settings(line)).run(shutdown);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    cleave::init_logging("cleave-segmenter");
+    const std::variant<CommandLine, int> parsed = parse_command_line(count, arguments);
+    if (const int* const code = std::get_if<int>(&parsed)) return *code;
+    if (run(std::get<CommandLine>(parsed)) == Ending::roudi_replaced)
+      cleave::restart_in_place(arguments);
+    return done;
+  } catch (const cleave::config::ConfigurationError& error) {
+    spdlog::error("{}", error.what());
+    return wrong_usage;
+  } catch (const std::invalid_argument& error) {
+    spdlog::error("{}", error.what());
+    return wrong_usage;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return failed;
+  }
+}

@@ -1,0 +1,80 @@
+#include "sensor/capture_clock.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+namespace cleave::sensor {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr std::int64_t start_ns = 5'000'000 * ms;
+
+// Ten minutes at 30 Hz. Frames arrive 4 ms late or up to 12 ms later still; the device's clock is
+// fast by `drift`. The largest error of the capture time after the first ten seconds, the constant
+// 4 ms not counted.
+double largest_error_ms(double drift) {
+  CaptureClock clock;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::int64_t> jitter_ns(0, 12 * ms);
+  double largest = 0;
+  for (int i = 0; i < 18000; ++i) {
+    const std::int64_t captured_ns = i * 33'333'333LL;
+    const auto device_us = static_cast<std::uint64_t>(
+        std::llround(static_cast<double>(captured_ns) * (1 + drift) / 1000));
+    const std::int64_t arrival_ns = start_ns + captured_ns + 4 * ms + jitter_ns(random);
+    const CaptureClock::Stamp stamp = clock.stamp(device_us, arrival_ns);
+    EXPECT_FALSE(stamp.reset);
+    const std::int64_t error_ns = arrival_ns - stamp.delay_ns - (start_ns + captured_ns + 4 * ms);
+    if (i > 300) largest = std::max(largest, std::abs(static_cast<double>(error_ns)) / ms);
+  }
+  return largest;
+}
+
+TEST(CaptureClock, FollowsAClockThatIsFastBy200Ppm) {
+  EXPECT_LT(largest_error_ms(200e-6), 2);
+}
+
+TEST(CaptureClock, FollowsAClockThatIsSlowBy200Ppm) {
+  EXPECT_LT(largest_error_ms(-200e-6), 2);
+}
+
+TEST(CaptureClock, NeverPutsACaptureAfterItsArrival) {
+  CaptureClock clock;
+  std::mt19937 random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const std::int64_t arrival_ns = start_ns + i * 33 * ms + static_cast<int>(random() % 20) * ms;
+    EXPECT_GE(clock.stamp(static_cast<std::uint64_t>(i) * 33'000, arrival_ns).delay_ns, 0);
+  }
+}
+
+TEST(CaptureClock, SeesAClockThatJumpsBack) {
+  CaptureClock clock;
+  EXPECT_FALSE(clock.stamp(9'000'000, start_ns).reset);
+  EXPECT_FALSE(clock.stamp(9'033'000, start_ns + 33 * ms).reset);
+  const CaptureClock::Stamp jumped = clock.stamp(0, start_ns + 66 * ms);
+  EXPECT_TRUE(jumped.reset);
+  EXPECT_EQ(jumped.delay_ns, 0);
+  EXPECT_FALSE(clock.stamp(33'000, start_ns + 99 * ms).reset);
+}
+
+TEST(CaptureClock, SeesAClockThatJumpsAhead) {
+  CaptureClock clock;
+  EXPECT_FALSE(clock.stamp(1'000'000, start_ns).reset);
+  EXPECT_TRUE(clock.stamp(9'000'000, start_ns + 33 * ms).reset);
+  EXPECT_FALSE(clock.stamp(9'033'000, start_ns + 66 * ms).reset);
+}
+
+TEST(CaptureClock, TakesALateFrameForLateAndNotForAReset) {
+  CaptureClock clock;
+  EXPECT_FALSE(clock.stamp(0, start_ns).reset);
+  const CaptureClock::Stamp late = clock.stamp(33'000, start_ns + 10'033 * ms);
+  EXPECT_FALSE(late.reset);
+  EXPECT_NEAR(static_cast<double>(late.delay_ns) / ms, 10'000, 3);
+  EXPECT_FALSE(clock.stamp(10'066'000, start_ns + 10'066 * ms).reset);
+}
+
+}  // namespace
+}  // namespace cleave::sensor

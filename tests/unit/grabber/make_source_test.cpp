@@ -1,0 +1,40 @@
+#include "sensor/make_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace cleave::sensor {
+namespace {
+
+std::string refusal(const std::string& uri) {
+  try {
+    (void)make_source(uri, {}, false);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MakeSource, KnowsCamerasAndFiles) {
+  EXPECT_TRUE(make_source("openni2:", {}, false)->realtime());
+  EXPECT_TRUE(make_source("synthetic:medium", {}, false)->realtime());
+  EXPECT_FALSE(make_source("pcd:scenes", {}, false)->realtime());
+}
+
+TEST(MakeSource, ListsTheSourcesForAnUnknownOne) {
+  for (const char* const uri : {"", "scenes", "ros:topic", "pcd:", "synthetic:"}) {
+    const std::string message = refusal(uri);
+    for (const char* const known : {"openni2:", "synthetic:medium", "pcd:recordings"}) {
+      EXPECT_NE(message.find(known), std::string::npos) << uri << ": " << message;
+    }
+  }
+}
+
+TEST(MakeSource, SaysWhatThisVersionDoesNotSupport) {
+  EXPECT_NE(refusal("oni:a.oni").find("not supported in this version"), std::string::npos);
+  EXPECT_NE(refusal("mcap:a.mcap").find("not supported in this version"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cleave::sensor

@@ -1,0 +1,52 @@
+#include "sensor/grabber/pacer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sensor/grabber/backoff.hpp"
+
+namespace cleave::sensor {
+namespace {
+
+using std::chrono::milliseconds;
+const Pacer::Clock::time_point start = Pacer::Clock::time_point() + std::chrono::hours(1);
+
+TEST(Pacer, LetsTheFirstFrameThroughAtOnce) {
+  EXPECT_EQ(Pacer(10).until_due(start), milliseconds(0));
+}
+
+TEST(Pacer, SpacesFramesByThePeriod) {
+  Pacer pacer(10);
+  pacer.advance(start);
+  EXPECT_EQ(pacer.until_due(start), milliseconds(100));
+  EXPECT_EQ(pacer.until_due(start + milliseconds(60)), milliseconds(40));
+  EXPECT_EQ(pacer.until_due(start + milliseconds(130)), milliseconds(0));
+}
+
+TEST(Pacer, MakesUpForLatenessOfLessThanAPeriod) {
+  Pacer pacer(10);
+  pacer.advance(start);
+  pacer.advance(start + milliseconds(130));
+  EXPECT_EQ(pacer.until_due(start + milliseconds(130)), milliseconds(70));
+}
+
+TEST(Pacer, BeginsAnewAfterAPauseWithoutABurst) {
+  Pacer pacer(10);
+  pacer.advance(start);
+  pacer.advance(start + milliseconds(5000));
+  EXPECT_EQ(pacer.until_due(start + milliseconds(5000)), milliseconds(100));
+}
+
+TEST(Backoff, DoublesItsWaitUpToTwoSeconds) {
+  Backoff backoff;
+  auto now = start;
+  backoff.start(now);
+  for (const int wait_ms : {100, 200, 400, 800, 1600, 2000, 2000}) {
+    EXPECT_FALSE(backoff.due(now + milliseconds(wait_ms - 1)));
+    now += milliseconds(wait_ms);
+    EXPECT_TRUE(backoff.due(now));
+    backoff.failed(now);
+  }
+}
+
+}  // namespace
+}  // namespace cleave::sensor

@@ -1,0 +1,157 @@
+#include "sensor/pcd_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <vector>
+
+#include "sensor/pcd_folder.hpp"
+#include "tests/unit/grabber/pcd_file.hpp"
+
+namespace cleave::sensor {
+namespace {
+
+using std::chrono::seconds;
+
+std::string cloud_at(float x) {
+  return binary_file({x, 2, 3}, 1, 1);
+}
+
+// The x of the first point of every frame, up to `most`.
+std::vector<float> play(Source& source, std::size_t most = 100) {
+  std::vector<float> xs;
+  Frame frame;
+  std::vector<float> xyz(3 * capacity_points);
+  while (xs.size() < most && source.next(seconds(10), frame) == Poll::frame) {
+    source.write_points(xyz.data());
+    xs.push_back(xyz[0]);
+  }
+  return xs;
+}
+
+TEST(PcdSource, PlaysAFolderInNaturalOrder) {
+  const TestFolder folder;
+  folder.write("scene10.pcd", cloud_at(10));
+  folder.write("scene9.pcd", cloud_at(9));
+  folder.write("scene1.pcd", cloud_at(1));
+  PcdSource source(folder.path(), false);
+  ASSERT_FALSE(source.open());
+  EXPECT_EQ(play(source), (std::vector<float>{1, 9, 10}));
+  EXPECT_FALSE(source.realtime());
+}
+
+TEST(PcdSource, PlaysASingleFile) {
+  const TestFolder folder;
+  PcdSource source(folder.write("one.pcd", cloud_at(5)), false);
+  ASSERT_FALSE(source.open());
+  EXPECT_EQ(play(source), (std::vector<float>{5}));
+}
+
+TEST(PcdSource, SkipsAndCountsBadFilesAmongGoodOnes) {
+  const TestFolder folder;
+  folder.write("1.pcd", cloud_at(1));
+  folder.write("2.pcd", "");
+  std::string truncated = cloud_at(3);
+  truncated.pop_back();
+  folder.write("3.pcd", truncated);
+  folder.write("4.txt", "notes");
+  folder.write("5.pcd", cloud_at(5));
+  PcdSource source(folder.path(), false);
+  ASSERT_FALSE(source.open());
+  EXPECT_EQ(play(source), (std::vector<float>{1, 5}));
+  const std::map<std::string, std::uint64_t> expected = {
+      {"not PCD", 1}, {"truncated", 1}, {"wrong extension", 1}};
+  EXPECT_EQ(source.counts().unusable, expected);
+}
+
+TEST(PcdSource, BeginsAnEpochWithEveryFurtherPass) {
+  const TestFolder folder;
+  folder.write("1.pcd", cloud_at(1));
+  folder.write("2.pcd", cloud_at(2));
+  PcdSource source(folder.path(), true);
+  ASSERT_FALSE(source.open());
+  std::vector<bool> begins;
+  Frame frame;
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_EQ(source.next(seconds(10), frame), Poll::frame);
+    begins.push_back(frame.begins_epoch);
+  }
+  EXPECT_EQ(begins, (std::vector<bool>{false, false, true, false, true, false}));
+}
+
+TEST(PcdSource, CountsABadFileOnceHoweverOftenItLoops) {
+  const TestFolder folder;
+  folder.write("1.pcd", cloud_at(1));
+  folder.write("2.pcd", "");
+  PcdSource source(folder.path(), true);
+  ASSERT_FALSE(source.open());
+  EXPECT_EQ(play(source, 10).size(), 10U);
+  EXPECT_EQ(source.counts().unusable.at("not PCD"), 1U);
+}
+
+TEST(PcdSource, SaysWhatItLookedForWhenNothingIsUsable) {
+  const TestFolder folder;
+  folder.write("2.pcd", "");
+  folder.write("notes.txt", "");
+  PcdSource source(folder.path(), false);
+  const Failure failure = source.open();
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->find("*.pcd in " + folder.path().string()), std::string::npos) << *failure;
+  EXPECT_NE(failure->find("1 not PCD, 1 wrong extension"), std::string::npos) << *failure;
+}
+
+TEST(PcdSource, SaysThatAFolderIsEmptyOrMissing) {
+  const TestFolder folder;
+  EXPECT_NE(PcdSource(folder.path(), false).open()->find("there is no file"), std::string::npos);
+  EXPECT_NE(PcdSource(folder.path() / "nowhere", false).open()->find("no such file or folder"),
+            std::string::npos);
+}
+
+TEST(PcdSource, NamesAFolderThatPosesAsAFileAndPassesOverOthers) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.path() / "folder.pcd");
+  std::filesystem::create_directory(folder.path() / "more");
+  const PcdFiles found = list_pcd_files(folder.path());
+  ASSERT_EQ(found.files.size(), 1U);
+  EXPECT_EQ(found.files[0].filename(), "folder.pcd");
+  EXPECT_TRUE(found.others.empty());
+}
+
+TEST(PcdLoader, ReadsFilesAnewThatDoNotFitIntoItsMemory) {
+  const TestFolder folder;
+  const auto file = folder.write("1.pcd", cloud_at(1));
+  PcdLoader loader({file}, true, 0);
+  LoadedCloud first{}, second{};
+  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::cloud);
+  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::cloud);
+  EXPECT_NE(first.cloud, second.cloud);
+  EXPECT_EQ(first.cloud->xyz, second.cloud->xyz);
+}
+
+TEST(PcdLoader, KeepsWhatFits) {
+  const TestFolder folder;
+  const auto file = folder.write("1.pcd", cloud_at(1));
+  PcdLoader loader({file}, true);
+  LoadedCloud first{}, second{};
+  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::cloud);
+  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::cloud);
+  EXPECT_EQ(first.cloud, second.cloud);
+}
+
+TEST(PcdSource, PlaysRealScenesWithTheIntrinsicsOfTheirCamera) {
+  const char* const set = std::getenv("CLEAVE_DATA");
+  const std::filesystem::path data = set != nullptr ? set : CLEAVE_SOURCE_DIR "/../shared/data";
+  const std::filesystem::path scene = data / "mosd" / "learn" / "learn0.pcd";
+  if (!std::filesystem::exists(scene)) GTEST_SKIP() << "no data at " << scene;
+  PcdSource source(scene, false);
+  ASSERT_FALSE(source.open());
+  Frame frame;
+  ASSERT_EQ(source.next(seconds(10), frame), Poll::frame);
+  EXPECT_EQ(frame.width, 640U);
+  EXPECT_EQ(frame.height, 480U);
+  EXPECT_NEAR(frame.intrinsics.fx, 525, 0.01);
+  EXPECT_NEAR(frame.intrinsics.cy, 239.5, 0.01);
+}
+
+}  // namespace
+}  // namespace cleave::sensor
