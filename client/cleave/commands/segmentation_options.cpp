@@ -10,10 +10,9 @@ void add_segmentation_options(CLI::App& command, SegmentationArguments& argument
   command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
   command
       .add_option("--set", arguments.settings,
-                  "KEY=VALUE, an option of the segmentation; may be repeated")
+                  "an option of the segmentation; may be repeated")
       ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);  // one each: what follows may be the files
 }
 
 segmentation::Options options_of(const SegmentationArguments& arguments) {
