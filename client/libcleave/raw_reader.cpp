@@ -89,10 +89,11 @@ std::optional<RawSample> RawReader::take() {
   }
 }
 
-unsigned RawReader::matched_writers() const {
-  dds_subscription_matched_status_t status;
-  const bool known = dds_get_subscription_matched_status(state_->reader.get(), &status) == 0;
-  return known ? status.current_count : 0;
+// By liveliness, not by matching: a killed process stays matched for its participant's lease of 10 s.
+unsigned RawReader::live_writers() const {
+  dds_liveliness_changed_status_t status;
+  const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;
+  return known ? status.alive_count : 0;
 }
 
 std::int32_t RawReader::entity() const {

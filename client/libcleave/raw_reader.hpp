@@ -49,7 +49,7 @@ class RawReader {
 
   // The oldest sample that waits; empty when there is none. Never copies out of shared memory.
   [[nodiscard]] std::optional<RawSample> take();
-  [[nodiscard]] unsigned matched_writers() const;
+  [[nodiscard]] unsigned live_writers() const;
   // DDS entity, for a wait set.
   [[nodiscard]] std::int32_t entity() const;
 

@@ -44,7 +44,7 @@ class Reader {
     return Sample<T>(std::move(*raw));
   }
   // Writers that are alive now: a killed one leaves within its lease of 1 s.
-  [[nodiscard]] unsigned matched_writers() const { return raw_.matched_writers(); }
+  [[nodiscard]] unsigned live_writers() const { return raw_.live_writers(); }
   [[nodiscard]] const RawReader& raw() const { return raw_; }
 
  private:

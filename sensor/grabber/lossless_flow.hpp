@@ -24,7 +24,7 @@ class LosslessFlow {
   void update(Clock::time_point now, CloudPublisher& publisher);
   // A new frame may be published: there is room, and a segmenter to tell when it is done.
   [[nodiscard]] bool ready() const { return segmenters() > 0 && window_.has_room(); }
-  [[nodiscard]] unsigned segmenters() const { return segments_.matched_writers(); }
+  [[nodiscard]] unsigned segmenters() const { return segments_.live_writers(); }
   void published(KeptFrame frame, Clock::time_point now);
   [[nodiscard]] std::size_t in_flight() const { return window_.in_flight(); }
   // For a wait set.

@@ -67,7 +67,7 @@ void SensorPipeline::stop_taking() {
 }
 
 bool SensorPipeline::update_state() {
-  if (!source_.update(clouds_.matched_writers())) return false;
+  if (!source_.update(clouds_.live_writers())) return false;
   if (source_.state() == NodeState::running) {
     spdlog::info("sensor '{}': a grabber is there", sensor_);
   } else {

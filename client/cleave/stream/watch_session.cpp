@@ -92,7 +92,7 @@ void WatchSession::await_segmenter_status() {
   statuses_only.attach(statuses_);
   const std::uint64_t known = segmenter_statuses_;
   const Clock::time_point end = Clock::now() + status_patience;
-  while (segmenter_statuses_ == known && statuses_.matched_writers() > 0 && Clock::now() < end) {
+  while (segmenter_statuses_ == known && statuses_.live_writers() > 0 && Clock::now() < end) {
     (void)statuses_only.wait(longest_wait);
     take_statuses();
   }

@@ -30,7 +30,7 @@ TEST_F(NetworkStream, DeliversALoanedCloudUnchangedAndSaysThatItWasCopied) {
   Writer<DepthCloud> writer(stream_, sensor_);
   Reader<DepthCloud> reader(stream_, sensor_);
   ASSERT_TRUE(eventually([&] { return writer.matched_readers() == 1; }));
-  ASSERT_TRUE(eventually([&] { return reader.matched_writers() == 1; }));
+  ASSERT_TRUE(eventually([&] { return reader.live_writers() == 1; }));
 
   auto loan = writer.loan();
   ASSERT_TRUE(loan);
@@ -82,9 +82,9 @@ TEST_F(NetworkStream, ForgetsAWriterThatIsGone) {
   Reader<SegmentList> reader(stream_, sensor_);
   {
     const Writer<SegmentList> writer(stream_, sensor_);
-    ASSERT_TRUE(eventually([&] { return reader.matched_writers() == 1; }));
+    ASSERT_TRUE(eventually([&] { return reader.live_writers() == 1; }));
   }
-  EXPECT_TRUE(eventually([&] { return reader.matched_writers() == 0; }));
+  EXPECT_TRUE(eventually([&] { return reader.live_writers() == 0; }));
 }
 
 TEST_F(NetworkStream, WakesAWaitFromAnotherThread) {
