@@ -1,6 +1,10 @@
 #include "sensor/make_source.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "sensor/pcd_source.hpp"
 
@@ -14,6 +18,20 @@ constexpr char sources[] =
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
     "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings";
 
+// The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
+std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
+  constexpr std::string_view key = "fps=";
+  const std::size_t options = std::min(uri.find('?'), uri.size());
+  const std::size_t named = uri.find(key, options);
+  if (named == std::string::npos) {
+    uri += (options == uri.size() ? "?" : "&") + std::string(key) + std::to_string(mode.fps);
+  } else {
+    // What is no number here the driver refuses, with a better message.
+    std::from_chars(uri.data() + named + key.size(), uri.data() + uri.size(), mode.fps);
+  }
+  return std::make_unique<OpenNi2Source>(std::move(uri), mode);
+}
+
 }  // namespace
 
 std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop) {
@@ -22,7 +40,7 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
   const std::string rest = colon == std::string::npos ? "" : uri.substr(colon + 1);
   if (colon != std::string::npos) {
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
-    if (scheme == "synthetic" && !rest.empty()) return std::make_unique<OpenNi2Source>(uri, mode);
+    if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
     if (scheme == "oni" || scheme == "mcap") {
       throw std::invalid_argument("source '" + uri + "': " + scheme +

@@ -146,21 +146,14 @@ void Grabber::take_frame() {
 
 void Grabber::handle(const Frame& frame) {
   if (!has_readers()) return book_.dropped("no reader");
-  switch (publish(frame)) {
-    case Publication::done:
-      break;
-    case Publication::no_free_chunk:
-      book_.dropped("no free chunk");
-      if (std::uint64_t suppressed = 0; log_limiter_.allow(suppressed)) {
-        spdlog::warn(
-            "dropped a frame: no free chunk of shared memory, readers hold them all "
-            "({} more like this before)",
-            suppressed);
-      }
-      break;
-    case Publication::refused:
-      book_.dropped("refused by DDS");
-      break;
+  const Publication result = publish(frame);
+  if (result == Publication::refused) book_.dropped("refused by DDS");
+  if (result == Publication::no_free_chunk) {
+    book_.dropped("no free chunk");
+    if (std::uint64_t suppressed = 0; log_limiter_.allow(suppressed)) {
+      spdlog::warn("dropped a frame: readers hold all chunks of shared memory ({} more before)",
+                   suppressed);
+    }
   }
   if (options_.max_frames && book_.published_count() >= *options_.max_frames) {
     supervisor_.set_state(NodeState::ended);

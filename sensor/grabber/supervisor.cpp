@@ -52,6 +52,7 @@ void Supervisor::publish() {
 void Supervisor::check_roudi() {
   switch (roudi_->check()) {
     case RouDiState::present:
+      if (!std::exchange(roudi_error_, "").empty()) publish();
       break;
     case RouDiState::gone:
       if (!roudi_error_.empty()) return;
