@@ -14,7 +14,7 @@ void check_sensors(const Section& file, const std::vector<std::string>& sensors)
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (!is_valid_sensor_name(sensors[i])) {
       file.refuse("sensors",
-                  "names of 1 to 63 letters, digits, '_' or '-' (not '" + sensors[i] + "')");
+                  "names of 1 to 63 letters, digits or '_' (not '" + sensors[i] + "')");
     }
     const auto end = sensors.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(sensors.begin(), end, sensors[i]) != end) {
