@@ -6,10 +6,16 @@
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): the sanitizers' names
 extern "C" {
 const char* __asan_default_options();
-const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
+const char* __asan_default_options() {
+  return "fast_unwind_on_malloc=0";
+}
 const char* __lsan_default_suppressions();
-const char* __lsan_default_suppressions() { return "leak:libOpenNI2.so\n"; }
+const char* __lsan_default_suppressions() {
+  return "leak:libOpenNI2.so\n";
+}
 const char* __tsan_default_suppressions();
-const char* __tsan_default_suppressions() { return "mutex:libOpenNI2.so\n"; }
+const char* __tsan_default_suppressions() {
+  return "mutex:libOpenNI2.so\n";
+}
 }
 // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
