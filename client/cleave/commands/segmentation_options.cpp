@@ -8,9 +8,8 @@ namespace cleave::client {
 
 void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments) {
   command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
-  command
-      .add_option("--set", arguments.settings,
-                  "an option of the segmentation; may be repeated")
+  command.add_option("--set", arguments.settings,
+                     "an option of the segmentation; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);  // one each: what follows may be the files
 }
