@@ -25,7 +25,7 @@ constexpr char examples[] =
     "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_LOG sets the log level (trace to error).\n";
 
 std::string check_sensor(const std::string& name) {
-  return is_valid_sensor_name(name) ? "" : "expected 1 to 63 letters, digits, '_' or '-'";
+  return is_valid_sensor_name(name) ? "" : "expected 1 to 63 letters, digits or '_'";
 }
 
 }  // namespace
