@@ -34,8 +34,7 @@ void read_mode(Section& file, Mode& mode) {
 
 void check_sensor_name(const Section& file, std::string_view key, const std::string& name) {
   if (is_valid_sensor_name(name)) return;
-  file.refuse(key,
-              "a sensor name of 1 to 63 letters, digits or '_' (it is part of topic names)");
+  file.refuse(key, "a sensor name of 1 to 63 letters, digits or '_' (it is part of topic names)");
 }
 
 }  // namespace cleave::config

@@ -30,11 +30,11 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
 
 TEST(GrabberConfig, ReadsEveryKey) {
   const YamlFile yaml(
-      "sensor: left-1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
+      "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
       "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240}\n"
       "stream: {domain: 7, shared_memory: false, public_interface: eth0}\n");
   const GrabberConfig config = load_grabber_config(yaml.path());
-  EXPECT_EQ(config.sensor, "left-1");
+  EXPECT_EQ(config.sensor, "left_1");
   EXPECT_EQ(config.coordinate_frame, "left_lens");
   EXPECT_EQ(config.source, "pcd:scenes");
   EXPECT_EQ(config.fps, 10U);
@@ -51,7 +51,7 @@ TEST(GrabberConfig, ReadsEveryKey) {
 TEST(GrabberConfig, RefusesASensorNameThatIsTooLong) {
   const std::string name(64, 'a');
   EXPECT_EQ(message("sensor: " + name + "\n"),
-            "file:1: sensor: expected a sensor name of 1 to 63 letters, digits, '_' or '-' (it is "
+            "file:1: sensor: expected a sensor name of 1 to 63 letters, digits or '_' (it is "
             "part of topic names), found '" +
                 name + "'");
   EXPECT_EQ(message("sensor: " + std::string(63, 'a') + "\n"), "");

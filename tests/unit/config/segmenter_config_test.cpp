@@ -57,7 +57,7 @@ TEST(SegmenterConfig, LeavesOneCoreToTheRestOfTheSystem) {
   EXPECT_EQ(worker_count(config, 0), 1U);  // unknown
   EXPECT_EQ(worker_count(config, 1), 1U);
   EXPECT_EQ(worker_count(config, 2), 1U);
-  EXPECT_EQ(worker_count(config, 8), 7U);
+  EXPECT_EQ(worker_count(config, 4), 3U);
   EXPECT_EQ(worker_count(config, 128), 6U);
   config.workers = 3;
   EXPECT_EQ(worker_count(config, 128), 3U);
