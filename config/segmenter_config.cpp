@@ -13,12 +13,7 @@ void check_sensors(const Section& file, const std::vector<std::string>& sensors)
   if (sensors.empty()) file.refuse("sensors", "at least one sensor");
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     if (!is_valid_sensor_name(sensors[i])) {
-<<<<<<< HEAD
-      file.refuse("sensors",
-                  "names of 1 to 63 letters, digits or '_' (not '" + sensors[i] + "')");
-=======
       file.refuse("sensors", "names of 1 to 63 letters, digits or '_' (not '" + sensors[i] + "')");
->>>>>>> grab
     }
     const auto end = sensors.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(sensors.begin(), end, sensors[i]) != end) {
