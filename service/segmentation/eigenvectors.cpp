@@ -18,7 +18,7 @@ constexpr std::size_t min_cholmod_vertices = 300;
 
 // L is singular; L + shift I is not, and its inverse turns small eigenvalues into large ones.
 constexpr double shift = 1e-3;
-constexpr double tolerance = 1e-5;
+constexpr double tolerance = 1e-3;
 constexpr Eigen::Index max_restarts = 300;
 
 Matrix shifted_laplacian(std::size_t vertices, const std::vector<WeightedEdge>& edges) {

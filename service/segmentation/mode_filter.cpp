@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace cleave::segmentation {
+namespace {
+
+// The two do not overlap; the compiler must know to vectorise this.
+void or_into(std::uint8_t* __restrict target, const std::uint8_t* __restrict source,
+             std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) target[i] |= source[i];
+}
+
+}  // namespace
 
 // A window with two segments has two neighbouring pixels that differ. That stays true when pixels
 // without a segment are given any: here the last one before them.
@@ -30,10 +39,8 @@ void ModeFilter::spread_marks(const SegmentImage& image, std::uint32_t radius) {
   for (const std::size_t step : {std::size_t{1}, std::size_t{image.width}}) {
     spread_ = mixed_;
     for (std::size_t offset = step; offset <= radius * step && offset < pixels; offset += step) {
-      for (std::size_t i = 0; i + offset < pixels; ++i) {
-        spread_[i] |= mixed_[i + offset];
-        spread_[i + offset] |= mixed_[i];
-      }
+      or_into(spread_.data(), mixed_.data() + offset, pixels - offset);
+      or_into(spread_.data() + offset, mixed_.data(), pixels - offset);
     }
     mixed_.swap(spread_);
   }

@@ -43,13 +43,19 @@ void ShapeDescriber::sum_up(const PointSet& points, const VoxelGrid& grid,
 void ShapeDescriber::find_rectangles(const CloudView& cloud, const PointSet& points,
                                      const std::vector<std::uint16_t>& label_of_point) {
   std::uint32_t row = 0;
-  std::uint32_t row_begin = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (; points.index[i] - row_begin >= cloud.width; ++row) row_begin += cloud.width;
-    const std::uint32_t column = points.index[i] - row_begin;
-    Shape& shape = shapes_[label_of_point[i] - 1U];
-    shape.left = std::min(shape.left, column);
-    shape.right = std::max(shape.right, column);
+  std::size_t row_begin = 0;
+  for (std::size_t i = 0; i < points.size();) {
+    for (; points.index[i] >= row_begin + cloud.width; ++row) row_begin += cloud.width;
+    // Points of a row that follow each other with one label widen the rectangle once.
+    const std::size_t first = i;
+    while (i < points.size() && label_of_point[i] == label_of_point[first] &&
+           points.index[i] < row_begin + cloud.width) {
+      ++i;
+    }
+    Shape& shape = shapes_[label_of_point[first] - 1U];
+    shape.left = std::min(shape.left, static_cast<std::uint32_t>(points.index[first] - row_begin));
+    shape.right =
+        std::max(shape.right, static_cast<std::uint32_t>(points.index[i - 1] - row_begin));
     shape.top = std::min(shape.top, row);
     shape.bottom = row;
   }
