@@ -10,10 +10,7 @@ namespace {
 
 constexpr int largest_depth_mm = 10000;
 
-const render::CameraModel& camera() {
-  static const render::CameraModel model;
-  return model;
-}
+constexpr render::CameraModel camera{};
 
 float field_of_view_rad(std::uint32_t pixels, double focal_length) {
   return static_cast<float>(2 * std::atan(pixels / (2 * focal_length)));
@@ -27,8 +24,8 @@ bool same_mode(const OniVideoMode& a, const OniVideoMode& b) {
 }  // namespace
 
 OniVideoMode video_mode(const render::SceneRequest& request) {
-  return {ONI_PIXEL_FORMAT_DEPTH_1_MM, static_cast<int>(camera().width),
-          static_cast<int>(camera().height), static_cast<int>(request.fps)};
+  return {ONI_PIXEL_FORMAT_DEPTH_1_MM, static_cast<int>(camera.width),
+          static_cast<int>(camera.height), static_cast<int>(request.fps)};
 }
 
 DepthStream::DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services)
@@ -115,14 +112,14 @@ OniBool DepthStream::isPropertySupported(int property) {
 }
 
 OniStatus DepthStream::getProperty(int property, void* data, int* size) {
-  const render::Intrinsics& intrinsics = camera().intrinsics;
+  const render::Intrinsics& intrinsics = camera.intrinsics;
   switch (property) {
     case ONI_STREAM_PROPERTY_VIDEO_MODE:
       return answer(mode_, data, size);
     case ONI_STREAM_PROPERTY_HORIZONTAL_FOV:
-      return answer(field_of_view_rad(camera().width, intrinsics.fx), data, size);
+      return answer(field_of_view_rad(camera.width, intrinsics.fx), data, size);
     case ONI_STREAM_PROPERTY_VERTICAL_FOV:
-      return answer(field_of_view_rad(camera().height, intrinsics.fy), data, size);
+      return answer(field_of_view_rad(camera.height, intrinsics.fy), data, size);
     case ONI_STREAM_PROPERTY_MAX_VALUE:
       return answer(largest_depth_mm, data, size);
     case ONI_STREAM_PROPERTY_MIN_VALUE:

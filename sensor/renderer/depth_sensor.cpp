@@ -93,7 +93,7 @@ struct FrameNoise {
 std::uint16_t quantised_mm(float disparity) {
   if (disparity < disparity_metres * millimetres / largest_depth_mm) return 0;
   const double steps = std::floor(disparity + 0.5);
-  return static_cast<std::uint16_t>(disparity_metres * millimetres / steps + 0.5);
+  return static_cast<std::uint16_t>(std::lround(disparity_metres * millimetres / steps));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "sensor/renderer/placement.hpp"
 #include "sensor/renderer/random.hpp"

@@ -15,8 +15,8 @@
 namespace cleave::client {
 namespace {
 
-constexpr std::size_t longest_header_bytes = 64 * 1024;
-constexpr std::size_t largest_point_bytes = 64 * 1024;
+constexpr std::size_t longest_header_bytes = std::size_t{64} * 1024;
+constexpr std::size_t largest_point_bytes = std::size_t{64} * 1024;
 
 using Words = std::vector<std::string>;
 

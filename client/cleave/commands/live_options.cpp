@@ -17,7 +17,7 @@ void add_sensor_option(CLI::App& command, LiveOptions& options) {
   const auto refuse_bad_name = [](const std::string& name) {
     return is_valid_sensor_name(name)
                ? std::string()
-               : "'" + name + "' is no sensor name: 1 to 63 letters, digits, '_' or '-'";
+               : "'" + name + "' is no sensor name: 1 to 63 letters, digits or '_'";
   };
   command.add_option("--sensor", options.sensor, "name of the sensor; not needed for the only one")
       ->check(CLI::Validator(refuse_bad_name, "NAME"));

@@ -8,12 +8,10 @@ namespace cleave::client {
 
 void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments) {
   command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
-  command
-      .add_option("--set", arguments.settings,
-                  "KEY=VALUE, an option of the segmentation; may be repeated")
+  command.add_option("--set", arguments.settings,
+                     "an option of the segmentation; may be repeated")
       ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      ->allow_extra_args(false);  // one each: what follows may be the files
 }
 
 segmentation::Options options_of(const SegmentationArguments& arguments) {

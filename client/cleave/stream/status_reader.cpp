@@ -29,15 +29,14 @@ void StatusReader::take() {
 std::vector<NodeReport> StatusReader::collect(Shutdown& shutdown,
                                               std::chrono::milliseconds patience) {
   Clock::time_point end = Clock::now() + patience;
-  take();
-  bool alone = nodes_.empty();
+  bool answered = false;
   while (!shutdown.requested() && Clock::now() < end) {
-    (void)wait_set_.wait(longest_wait);
     take();
-    if (alone && !nodes_.empty()) {
-      alone = false;
+    if (!answered && !nodes_.empty()) {
+      answered = true;
       end = std::min(end, Clock::now() + moment);
     }
+    (void)wait_set_.wait(longest_wait);
   }
   return living();
 }

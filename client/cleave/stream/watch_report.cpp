@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "cleave/console/table.hpp"
+
 namespace cleave::client {
 namespace {
 
@@ -34,7 +36,7 @@ std::string text_of(const WatchSummary& s) {
   text += fmt::format("latency {:.1f} ms (median), {:.1f} ms (90 %), {:.1f} ms (99 %)\n",
                       s.latency_ms.median, s.latency_ms.p90, s.latency_ms.p99);
   text += fmt::format("zero copy {}: {} ({})\n", s.zero_copy ? "yes" : "no", to_string(s.transport),
-                      s.transport_reason);
+                      printable(s.transport_reason));
   return text;
 }
 

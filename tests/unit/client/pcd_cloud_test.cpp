@@ -4,9 +4,11 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
 
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <cstring>
-#include <numeric>
 
 #include "cleave/cloud/pcd_writer.hpp"
 #include "temporary_folder.hpp"
@@ -167,6 +169,40 @@ TEST(PcdWriter, LeavesNothingBehindWhereItCannotWrite) {
   EXPECT_THROW(write_pcd(folder.path(), cloud), std::runtime_error);
   const auto entries = std::filesystem::directory_iterator(folder.path());
   EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "only the input is there";
+}
+
+// While it lives, no file grows beyond a size: to a writer, a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    (void)std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST(PcdWriter, LeavesTheOldFileWhereTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const auto file = folder.file("in.pcd", many_fields);
+  PcdCloud cloud = PcdCloud::read(file);
+  cloud.set_labels(six_labels);
+  {
+    const FullDisk disk(100);
+    EXPECT_THROW(write_pcd(file, cloud), std::runtime_error);
+  }
+  EXPECT_EQ(read_file(file), many_fields);
+  const auto entries = std::filesystem::directory_iterator(folder.path());
+  EXPECT_EQ(std::distance(begin(entries), end(entries)), 1) << "no temporary file stays behind";
 }
 
 TEST(PcdWriter, RefusesToReplaceWhatIsNoRegularFile) {

@@ -18,20 +18,20 @@ double correlation(const std::vector<float>& field, std::size_t width, std::size
 }
 
 // Three box filters, summed pixel by pixel.
-std::vector<float> slow_field(std::uint64_t seed, int width, int height, int radius) {
+std::vector<float> slow_field(std::uint64_t seed, std::size_t width, std::size_t height,
+                              std::size_t radius) {
   Random random(seed);
-  std::vector<double> field(static_cast<std::size_t>(width * height));
+  std::vector<double> field(width * height);
   for (double& value : field) value = random.normal();
   for (int pass = 0; pass < 3; ++pass) {
     std::vector<double> sums(field.size());
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        for (int dy = -radius; dy <= radius; ++dy) {
-          for (int dx = -radius; dx <= radius; ++dx) {
-            const int row = (y + dy + height) % height;
-            const int column = (x + dx + width) % width;
-            sums[static_cast<std::size_t>(y * width + x)] +=
-                field[static_cast<std::size_t>(row * width + column)];
+    for (std::size_t y = 0; y < height; ++y) {
+      for (std::size_t x = 0; x < width; ++x) {
+        for (std::size_t dy = 0; dy <= 2 * radius; ++dy) {
+          for (std::size_t dx = 0; dx <= 2 * radius; ++dx) {
+            const std::size_t row = (y + dy + height - radius) % height;
+            const std::size_t column = (x + dx + width - radius) % width;
+            sums[y * width + x] += field[row * width + column];
           }
         }
       }
@@ -42,6 +42,7 @@ std::vector<float> slow_field(std::uint64_t seed, int width, int height, int rad
   for (const double value : field) squares += value * value;
   const double scale = std::sqrt(static_cast<double>(field.size()) / squares);
   std::vector<float> scaled;
+  scaled.reserve(field.size());
   for (const double value : field) scaled.push_back(static_cast<float>(value * scale));
   return scaled;
 }

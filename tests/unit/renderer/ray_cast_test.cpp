@@ -19,10 +19,14 @@ Scene scene_of(std::vector<Object> objects) {
   return scene;
 }
 
+// The direction through pixel i of a 640 pixels wide image.
+Eigen::Vector3d direction_through(std::size_t i) {
+  const std::size_t row = i / 640;
+  return pixel_direction(static_cast<double>(i % 640), static_cast<double>(row), {});
+}
+
 Eigen::Vector3d point_in_table_frame(const RayCast& image, std::size_t i) {
-  const Eigen::Vector3d direction = pixel_direction(static_cast<double>(i % image.width),
-                                                    static_cast<double>(i / image.width), {});
-  return table_from_camera(pose) * (image.depth_m[i] * direction);
+  return table_from_camera(pose) * (image.depth_m[i] * direction_through(i));
 }
 
 TEST(RayCast, TheTablesDepthIsThatOfAPlane) {
@@ -54,9 +58,7 @@ TEST(RayCast, ASpheresPixelsLieOnTheSphereAndItsOutlineIsComplete) {
   const Eigen::Vector3d to_centre = transform.inverse() * centre;
   int pixels = 0;
   for (std::size_t i = 0; i < image.surface.size(); ++i) {
-    const Eigen::Vector3d ray =
-        pixel_direction(static_cast<double>(i % 640), static_cast<double>(i / 640), {})
-            .normalized();
+    const Eigen::Vector3d ray = direction_through(i).normalized();
     const double distance_m = (to_centre - to_centre.dot(ray) * ray).norm();
     if (std::abs(distance_m - 0.05) > 1e-9) {
       EXPECT_EQ(image.surface[i] == object_surface(0, outside_part), distance_m < 0.05);
@@ -149,9 +151,7 @@ TEST(RayCast, MeetsWhatARayAgainstEveryObjectMeets) {
   const RayCast image = cast_rays(scene, scene.camera, {});
   const Eigen::Isometry3d transform = table_from_camera(scene.camera);
   for (std::size_t i = 0; i < image.surface.size(); i += 13) {
-    const Eigen::Vector3d direction =
-        transform.linear() *
-        pixel_direction(static_cast<double>(i % 640), static_cast<double>(i / 640), {});
+    const Eigen::Vector3d direction = transform.linear() * direction_through(i);
     double nearest_m = direction.z() < 0 ? -transform.translation().z() / direction.z()
                                          : std::numeric_limits<double>::infinity();
     for (const Object& object : scene.objects) {

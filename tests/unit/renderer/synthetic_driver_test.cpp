@@ -54,8 +54,8 @@ std::vector<std::uint16_t> depth_of(const openni::VideoFrameRef& frame) {
 }
 
 TEST_F(SyntheticDriver, DeliversTheRenderersFramesInOrder) {
-  open("synthetic:simple?seed=3");
-  SceneLoop loop(parse_scene("simple?seed=3"));
+  open("synthetic:simple?seed=3&frames=4");
+  SceneLoop loop(parse_scene("simple?seed=3&frames=4"));
   std::vector<std::vector<std::uint16_t>> expected;
   for (std::uint32_t i = 0; i < loop.size(); ++i) expected.push_back(loop.frame(i).depth_mm);
 

@@ -1,0 +1,93 @@
+#include "segmentation/edge_heuristics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace cleave::segmentation {
+namespace {
+
+constexpr float degree_rad = std::numbers::pi_v<float> / 180;
+
+// Two patches left and right of a crease along y; each is turned by half of `bend_deg` about it.
+struct Crease {
+  Surfel left, right;
+  explicit Crease(float bend_deg, bool roof) {
+    const float half = bend_deg / 2 * degree_rad;
+    const float sign = roof ? 1.0F : -1.0F;
+    left = {Eigen::Vector3f(-std::cos(half), 0, 0),
+            Eigen::Vector3f(-sign * std::sin(half), 0, std::cos(half))};
+    right = {Eigen::Vector3f(std::cos(half), 0, 0),
+             Eigen::Vector3f(sign * std::sin(half), 0, std::cos(half))};
+  }
+};
+
+TEST(Equation4_1, ARoofIsConvexAndAValleyAndAFlatFloorAreNot) {
+  EXPECT_TRUE(is_convex(Crease(90, true).left, Crease(90, true).right));
+  EXPECT_FALSE(is_convex(Crease(90, false).left, Crease(90, false).right));
+  EXPECT_FALSE(is_convex(Crease(0, true).left, Crease(0, true).right));
+}
+
+TEST(Equation4_3, WeighsConvexEdgesOneAndConcaveOnesByTheirAngle) {
+  const GraphOptions options{.weight_sigma = 10};
+  const Crease roof(90, true), valley(90, false), floor(0, false);
+
+  EXPECT_FLOAT_EQ(edge_weight(roof.left, roof.right, options), 1);
+  EXPECT_NEAR(edge_weight(valley.left, valley.right, options), 1.0 / 21, 1e-6);  // |dn|^2 = 2
+  EXPECT_FLOAT_EQ(edge_weight(floor.left, floor.right, options), 1);
+}
+
+TEST(Equation4_4, MeasuresTheAngleToTheLineWhereThePlanesMeet) {
+  Crease crease(90, false);
+  EXPECT_NEAR(meeting_angle_rad(crease.left, crease.right), 90 * degree_rad, 1e-3);
+
+  // The planes meet along y; centroids that differ along y touch in a point only.
+  crease.right.position = crease.left.position + Eigen::Vector3f::UnitY();
+  EXPECT_NEAR(meeting_angle_rad(crease.left, crease.right), 0, 1e-3);
+
+  crease.right.position = crease.left.position + Eigen::Vector3f(1, 1, 0);
+  EXPECT_NEAR(meeting_angle_rad(crease.left, crease.right), 45 * degree_rad, 1e-3);
+}
+
+TEST(Equation4_4, IsAQuarterTurnWherePlanesAreParallelOrCentroidsCoincide) {
+  const Crease floor(0, false);
+  Crease crease(90, false);
+  crease.right.position = crease.left.position;
+
+  EXPECT_NEAR(meeting_angle_rad(floor.left, floor.right), 90 * degree_rad, 1e-6);
+  EXPECT_NEAR(meeting_angle_rad(crease.left, crease.right), 90 * degree_rad, 1e-6);
+}
+
+TEST(Equation4_5, IsASigmoidOfTheAngleBetweenNormals) {
+  const GraphOptions options{.validity_max_rad = 57 * degree_rad,
+                             .validity_offset_rad = 33 * degree_rad,
+                             .validity_slope = 0.3F / degree_rad};
+
+  EXPECT_NEAR(least_meeting_angle_rad(33 * degree_rad, options), 28.5 * degree_rad, 1e-5);
+  EXPECT_NEAR(least_meeting_angle_rad(90 * degree_rad, options), 57 * degree_rad, 1e-5);
+  // 57 / (1 + exp(-0.3 (23 - 33))) = 57 / (1 + e^3)
+  EXPECT_NEAR(least_meeting_angle_rad(23 * degree_rad, options), 2.703 * degree_rad, 1e-4);
+}
+
+TEST(Equation4_6, RefusesPatchesThatTouchInAPoint) {
+  Crease crease(90, false);
+  EXPECT_TRUE(is_valid(crease.left, crease.right, {}));
+
+  crease.right.position = crease.left.position + Eigen::Vector3f(0.2F, 1, 0);
+  EXPECT_FALSE(is_valid(crease.left, crease.right, {}));
+}
+
+TEST(Equation4_7, ForbidsToLinkAcrossConcaveEdgesAboveTheThreshold) {
+  const GraphOptions options{.cannot_link_rad = 45 * degree_rad};
+  const auto cannot_link = [&](const Crease& crease) {
+    return is_cannot_link(edge_weight(crease.left, crease.right, options), options);
+  };
+
+  EXPECT_FALSE(cannot_link(Crease(44, false)));
+  EXPECT_TRUE(cannot_link(Crease(46, false)));
+  EXPECT_FALSE(cannot_link(Crease(120, true)));
+}
+
+}  // namespace
+}  // namespace cleave::segmentation

@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "segmentation/segmenter.hpp"
+#include "tests/support/box_scene.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float denormal = std::numeric_limits<float>::denorm_min();
+
+struct Result {
+  Outcome outcome;
+  std::vector<std::uint16_t> labels;
+  Segmentation segmentation;
+};
+
+Result segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t height,
+               const Options& options = {}) {
+  Segmenter segmenter(options);
+  Result result;
+  result.labels.assign(std::size_t{width} * height, 77);
+  result.outcome =
+      segmenter.segment({xyz.data(), 3, width, height}, result.labels, result.segmentation);
+  return result;
+}
+
+void expect_only_finite_points_labelled(const std::vector<float>& xyz, const Result& result) {
+  ASSERT_EQ(result.outcome, Outcome::segmented);
+  std::size_t counted = 0;
+  for (std::size_t i = 0; i < result.labels.size(); ++i) {
+    const bool finite =
+        std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) && std::isfinite(xyz[3 * i + 2]);
+    EXPECT_EQ(result.labels[i] > 0, finite) << "point " << i;
+    counted += finite ? 1 : 0;
+  }
+  for (const Segment& s : result.segmentation.segments) {
+    counted -= s.point_count;
+    EXPECT_TRUE(s.centroid.allFinite() && s.box.centre.allFinite() && s.box.extent.allFinite());
+    EXPECT_NEAR(s.mean_normal.norm(), 1, 1e-4);
+    EXPECT_NEAR(s.box.orientation.norm(), 1, 1e-4);
+  }
+  EXPECT_EQ(counted, 0U);
+}
+
+TEST(SegmenterOnDegenerateClouds, RefusesAnEmptyOne) {
+  const Result result = segment({}, 0, 0);
+
+  EXPECT_EQ(result.outcome, Outcome::no_finite_point);
+  EXPECT_TRUE(result.segmentation.segments.empty());
+}
+
+TEST(SegmenterOnDegenerateClouds, RefusesOneWithoutAFinitePoint) {
+  const Result result = segment({nan, nan, nan, 0, infinity, 1, 0, 0, -infinity, 1, nan, 1}, 2, 2);
+
+  EXPECT_EQ(result.outcome, Outcome::no_finite_point);
+  EXPECT_EQ(result.labels, std::vector<std::uint16_t>(4, 0));
+}
+
+TEST(SegmenterOnDegenerateClouds, RefusesSizesThatDisagree) {
+  const std::vector<float> xyz(12, 1);
+  std::vector<std::uint16_t> labels(3, 77);
+  Segmentation result;
+
+  EXPECT_EQ(Segmenter().segment({xyz.data(), 3, 2, 2}, labels, result), Outcome::bad_size);
+  EXPECT_EQ(labels, std::vector<std::uint16_t>(3, 0));
+  labels.resize(4);
+  EXPECT_EQ(Segmenter().segment({nullptr, 3, 2, 2}, labels, result), Outcome::bad_size);
+  EXPECT_EQ(Segmenter().segment({xyz.data(), 2, 2, 2}, labels, result), Outcome::bad_size);
+}
+
+TEST(SegmenterOnDegenerateClouds, LabelsASinglePoint) {
+  const Result result = segment({0.1F, 0.2F, 1}, 1, 1);
+
+  ASSERT_EQ(result.outcome, Outcome::segmented);
+  EXPECT_EQ(result.labels, std::vector<std::uint16_t>{1});
+  ASSERT_EQ(result.segmentation.segments.size(), 1U);
+  EXPECT_EQ(result.segmentation.segments[0].point_count, 1U);
+}
+
+TEST(SegmenterOnDegenerateClouds, SeparatesTwoPointsThatAreFarApart) {
+  const Result result = segment({0, 0, 1, 5, 0, 1}, 2, 1);
+
+  EXPECT_EQ(result.labels, (std::vector<std::uint16_t>{1, 2}));
+}
+
+TEST(SegmenterOnDegenerateClouds, MakesIdenticalPointsOneSegment) {
+  std::vector<float> xyz;
+  for (int i = 0; i < 300; ++i) xyz.insert(xyz.end(), {0.5F, -0.5F, 2});
+
+  const Result result = segment(xyz, 20, 15);
+
+  expect_only_finite_points_labelled(xyz, result);
+  EXPECT_EQ(result.segmentation.segments.size(), 1U);
+}
+
+TEST(SegmenterOnDegenerateClouds, TakesPointsAtAndBehindTheSensor) {
+  std::vector<float> xyz = {0, 0, 0};
+  for (int i = 0; i < 400; ++i) {
+    xyz.insert(xyz.end(),
+               {0.01F * static_cast<float>(i % 20), 0.01F * static_cast<float>(i / 20), -1});
+  }
+  Options single;
+  single.voxel.viewpoint = Viewpoint::single;
+
+  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1));
+  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1, single));
+}
+
+TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
+  std::vector<float> xyz;
+  for (const float x : {-1e30F, -1.0F, -denormal, 0.0F, denormal, 1.0F, 1e30F, 3.4e38F}) {
+    for (const float y : {-3.4e38F, 0.0F, denormal, 1e30F}) {
+      for (const float z : {denormal, 1e-20F, 1.0F, 1e30F, 3.4e38F})
+        xyz.insert(xyz.end(), {x, y, z});
+    }
+  }
+  for (const Viewpoint viewpoint : {Viewpoint::automatic, Viewpoint::multiple}) {
+    for (Options options : {Options{}, thesis()}) {
+      options.voxel.viewpoint = viewpoint;
+      expect_only_finite_points_labelled(xyz, segment(xyz, 16, 10, options));
+    }
+  }
+}
+
+TEST(SegmenterOnDegenerateClouds, IsNotDisturbedByOneFarPoint) {
+  const tests::LabelledCloud scene = tests::render_touching_boxes();
+  auto with_far_point = scene.xyz;
+  std::fill_n(with_far_point.begin(), 3, 1e30F);  // the first point was NaN
+
+  const auto labels = segment(scene.xyz, scene.width, scene.height).labels;
+  auto disturbed = segment(with_far_point, scene.width, scene.height).labels;
+
+  EXPECT_GT(disturbed[0], 0);
+  disturbed[0] = 0;
+  EXPECT_EQ(labels, disturbed);
+}
+
+TEST(SegmenterOnDegenerateClouds, LabelsNoiseWithoutAnySurface) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> uniform(0, 0.3F);
+  std::vector<float> xyz;
+  for (int i = 0; i < 20000; ++i) {
+    xyz.insert(xyz.end(), {uniform(random), uniform(random), 0.5F + uniform(random)});
+  }
+
+  for (const Options& options : {Options{}, thesis()}) {
+    expect_only_finite_points_labelled(xyz, segment(xyz, 200, 100, options));
+  }
+}
+
+TEST(SegmenterOnDegenerateClouds, LetsTheSmallestOfTooManySegmentsShareALabel) {
+  std::vector<float> xyz;
+  for (int i = 0; i < 70000; ++i) {
+    xyz.insert(xyz.end(), {static_cast<float>(i % 300), static_cast<float>(i / 300), -1});
+  }
+
+  const Result result = segment(xyz, 70000, 1);
+
+  expect_only_finite_points_labelled(xyz, result);
+  EXPECT_EQ(result.segmentation.segments.size(), 65535U);
+}
+
+}  // namespace
+}  // namespace cleave::segmentation
