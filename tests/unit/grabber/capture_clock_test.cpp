@@ -44,8 +44,9 @@ TEST(CaptureClock, FollowsAClockThatIsSlowBy200Ppm) {
 TEST(CaptureClock, NeverPutsACaptureAfterItsArrival) {
   CaptureClock clock;
   std::mt19937 random(5);
-  for (int i = 0; i < 1000; ++i) {
-    const std::int64_t arrival_ns = start_ns + i * 33 * ms + static_cast<int>(random() % 20) * ms;
+  for (std::int64_t i = 0; i < 1000; ++i) {
+    const std::int64_t arrival_ns =
+        start_ns + i * 33 * ms + static_cast<std::int64_t>(random() % 20) * ms;
     EXPECT_GE(clock.stamp(static_cast<std::uint64_t>(i) * 33'000, arrival_ns).delay_ns, 0);
   }
 }

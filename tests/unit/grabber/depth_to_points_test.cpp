@@ -37,17 +37,17 @@ std::vector<std::uint16_t> random_depth(std::size_t size) {
 }
 
 TEST(DepthProjection, AgreesWithThePinholeModelInMillimetres) {
-  const auto depth = random_depth(640 * 480);
-  const DepthImage image{depth.data(), 640, 480, 640 * 2, 1e-3F};
-  std::vector<float> xyz(3 * 640 * 480);
+  const auto depth = random_depth(capacity_points);
+  const DepthImage image{depth.data(), 640, 480, 1280, 1e-3F};
+  std::vector<float> xyz(3 * capacity_points);
   DepthProjection(640, 480, camera).write_points(image, xyz.data());
   expect_pinhole(image, xyz);
 }
 
 TEST(DepthProjection, AgreesWithThePinholeModelInTenthsOfMillimetresAndPaddedRows) {
-  const auto depth = random_depth(100 * 48);
-  const DepthImage image{depth.data(), 64, 48, 100 * 2, 1e-4F};
-  std::vector<float> xyz(3 * 64 * 48);
+  const auto depth = random_depth(4800);
+  const DepthImage image{depth.data(), 64, 48, 200, 1e-4F};
+  std::vector<float> xyz(9216);
   DepthProjection(64, 48, camera).write_points(image, xyz.data());
   expect_pinhole(image, xyz);
 }

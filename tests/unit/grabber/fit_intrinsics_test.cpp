@@ -61,7 +61,8 @@ TEST(FitIntrinsics, FindsNoneForPointsBehindTheCamera) {
 }
 
 TEST(FitIntrinsics, FindsNoneWhereNothingIsMeasured) {
-  const std::vector<float> xyz(3 * width * height, std::numeric_limits<float>::quiet_NaN());
+  const std::vector<float> xyz(std::size_t{3} * width * height,
+                               std::numeric_limits<float>::quiet_NaN());
   EXPECT_EQ(fit_intrinsics(xyz.data(), width, height).fx, 0);
 }
 
