@@ -5,7 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 has named it
 class App;
 }
 

@@ -19,7 +19,8 @@ TEST(AdjacencyFinder, CountsNeighbouringVoxelsAcrossEveryBorder) {
   find_voxel_neighbours(grid, neighbours);
   std::mt19937 random(8);
   std::vector<std::uint32_t> supervoxel;
-  for (std::size_t v = 0; v < grid.size(); ++v) supervoxel.push_back(static_cast<std::uint32_t>(random() % 30));
+  for (std::size_t v = 0; v < grid.size(); ++v)
+    supervoxel.push_back(static_cast<std::uint32_t>(random() % 30));
   std::vector<AdjacentPair> pairs;
 
   AdjacencyFinder().find(supervoxel, neighbours, pairs);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iostream>
 #include <vector>
 
 #include "segmentation/segmenter.hpp"
@@ -33,6 +34,8 @@ TEST(Quality, CoversTheLabelledScenes) {
     unweighted += quality.unweighted_covering / static_cast<double>(files.size());
   }
 
+  std::cout << "weighted covering " << weighted << ", unweighted " << unweighted << " over "
+            << files.size() << " scenes\n";
   EXPECT_GE(weighted, 0.993);
   EXPECT_GE(unweighted, 0.95);
 }
