@@ -20,9 +20,9 @@ Cut BestCutFinder::find(const SubgraphStore& store, const Subgraph& graph) {
     for (const CutEdge& edge : store.edges(graph)) {
       const auto [low, high] = std::minmax(rank_[edge.first], rank_[edge.second]);
       change_[low].weight += edge.weight;
-      change_[low].cannot_links += edge.cannot_link ? 1 : 0;
+      change_[low].cannot_links += edge.cannot_links;
       change_[high].weight -= edge.weight;
-      change_[high].cannot_links -= edge.cannot_link ? 1 : 0;
+      change_[high].cannot_links -= edge.cannot_links;
     }
 
     double weight = 0;  // equation 2.8

@@ -7,12 +7,17 @@ namespace cleave::segmentation {
 void LabelOrder::order(const std::vector<std::uint32_t>& segment_of_point, std::size_t segments,
                        std::vector<std::uint16_t>& label_of_segment) {
   entries_.assign(segments, Entry{});
-  for (std::uint32_t i = 0; i < segment_of_point.size(); ++i) {
-    Entry& entry = entries_[segment_of_point[i]];
-    if (entry.points++ == 0) {
-      entry.first_point = i;
-      entry.segment = segment_of_point[i];
+  const auto points = static_cast<std::uint32_t>(segment_of_point.size());
+  for (std::uint32_t i = 0; i < points;) {
+    const std::uint32_t segment = segment_of_point[i];
+    const std::uint32_t begin = i;
+    while (i < points && segment_of_point[i] == segment) ++i;
+    Entry& entry = entries_[segment];
+    if (entry.points == 0) {
+      entry.first_point = begin;
+      entry.segment = segment;
     }
+    entry.points += i - begin;
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& l, const Entry& r) {
     return l.points != r.points ? l.points > r.points : l.first_point < r.first_point;

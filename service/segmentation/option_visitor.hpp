@@ -31,6 +31,10 @@ void visit_options(Options& options, Visitor&& visitor) {
   choice("algorithm", options.algorithm, std::array{Names("ssc")},
          "ssc: Spectral Supervoxel Clustering");
 
+  choice("representation", options.representation,
+         std::array{Names("automatic"), Names("cells"), Names("voxels")},
+         "cells: of an image, fast; voxels: of any cloud; automatic: voxels");
+
   auto& voxel = options.voxel;
   visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");
   choice("voxel.viewpoint", voxel.viewpoint,
@@ -66,6 +70,8 @@ void visit_options(Options& options, Visitor&& visitor) {
                   "k of algorithm 1");
   visitor.number("partition.utility_threshold", options.partition.utility_threshold, 0, 1e6,
                  "least utility of a cut (equation 4.8)");
+  visitor.integer("partition.coarsening_rounds", options.partition.coarsening_rounds, 0, 20,
+                  "rounds of joining smooth neighbours before the graph is cut");
 
   visitor.integer("clean_up.min_segment_points", options.clean_up.min_segment_points, 0, 1000000,
                   "smaller segments join a neighbour; 0: off");

@@ -7,6 +7,7 @@ namespace cleave::segmentation {
 Options thesis() {
   constexpr float degree_rad = std::numbers::pi_v<float> / 180;
   Options options;
+  options.representation = Representation::voxels;
   options.voxel.size_m = 0.0075F;
   options.supervoxel.seed_spacing_m = 0.03F;
   options.supervoxel.normal_weight = 4;
@@ -15,6 +16,7 @@ Options thesis() {
   options.graph.validity_offset_rad = 33 * degree_rad;
   options.graph.cannot_link_rad = 45 * degree_rad;
   options.partition.utility_threshold = 1;
+  options.partition.coarsening_rounds = 0;
   options.clean_up.min_segment_points = 0;
   options.refine.boundary = false;
   options.refine.mode_filter_radius = 0;

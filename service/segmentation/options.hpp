@@ -10,6 +10,12 @@ enum class Algorithm { ssc };
 // Where the cloud was seen from. `automatic`: single if every finite point has z > 0.
 enum class Viewpoint { automatic, single, multiple };
 
+// What a cloud is made smaller with. Cells, of a few pixels, are several times as fast and need an
+// image: an organised cloud in which all points have z > 0, x/z grows along rows and y/z along
+// columns. `cells`: voxels where the cloud is no such image. `automatic`: voxels, because cells
+// cover the small objects of crowded scenes a little less well.
+enum class Representation { automatic, cells, voxels };
+
 struct VoxelOptions {
   // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
   // with the distance as the sampling does (section 2.1.2.1); with several, in metres.
@@ -24,8 +30,8 @@ struct SupervoxelOptions {
   float spatial_weight = 1;
   float normal_weight = 8;
   std::uint32_t min_seed_voxels = 5;  // cells of the seed grid with fewer voxels get no seed
-  std::uint32_t sweeps = 6;
-  bool refit_from_points = true;  // centroid and normal from all points, not from voxels
+  std::uint32_t sweeps = 6;           // of voxels; cells need three
+  bool refit_from_points = true;      // centroid and normal from all points, not from voxels
 };
 
 struct GraphOptions {
@@ -39,6 +45,9 @@ struct GraphOptions {
 struct PartitionOptions {
   std::uint32_t eigenvectors = 10;  // k of Algorithm 1, the constant one not counted
   float utility_threshold = 0.5F;   // Algorithm 1, line 13
+  // Each joins up to half of the supervoxels with a neighbour on the same smooth surface before
+  // the graph is cut.
+  std::uint32_t coarsening_rounds = 2;
 };
 
 struct CleanUpOptions {
@@ -57,6 +66,7 @@ struct DescribeOptions {
 
 struct Options {
   Algorithm algorithm = Algorithm::ssc;
+  Representation representation = Representation::automatic;
   VoxelOptions voxel;
   SupervoxelOptions supervoxel;
   GraphOptions graph;

@@ -31,8 +31,8 @@ bool Partitioner::cut_along_orders(const Subgraph& graph, double utility_thresho
   return was_cut;
 }
 
-void Partitioner::finish(const Subgraph& graph, std::vector<std::uint32_t>& segment) {
-  for (const std::uint32_t v : store_.vertices(graph)) segment[v] = segments_;
+void Partitioner::finish(const Subgraph& graph) {
+  for (const std::uint32_t v : store_.vertices(graph)) segment_of_vertex_[v] = segments_;
   ++segments_;
 }
 
@@ -40,31 +40,31 @@ std::uint32_t Partitioner::partition(std::uint32_t supervoxels,
                                      const std::vector<SupervoxelEdge>& edges,
                                      const PartitionOptions& options,
                                      std::vector<std::uint32_t>& segment) {
-  valid_edges_.clear();
-  for (const SupervoxelEdge& edge : edges) {
-    if (!edge.valid) continue;
-    valid_edges_.push_back({edge.first, edge.second, edge.weight, edge.cannot_link});
-  }
+  const std::uint32_t vertices = coarsener_.coarsen(supervoxels, edges, options.coarsening_rounds);
   segments_ = 0;
-  segment.resize(supervoxels);
-  local_vertex_.resize(supervoxels);
+  segment_of_vertex_.resize(vertices);
+  local_vertex_.resize(vertices);
   queue_.clear();
-  store_.reset(supervoxels, valid_edges_, queue_);
+  store_.reset(vertices, coarsener_.edges(), queue_);
 
   while (!queue_.empty()) {
     const Subgraph graph = queue_.back();
     queue_.pop_back();
     // Without a cannot-link edge no cut has a utility: the eigenproblem can be spared.
     if (!store_.has_cannot_link(graph)) {
-      finish(graph, segment);
+      finish(graph);
       continue;
     }
     store_.sort_along(eigenvectors(graph, options.eigenvectors), graph);
     if (cut_along_orders(graph, options.utility_threshold)) {
       queue_.insert(queue_.end(), uncut_.begin(), uncut_.end());
     } else {
-      finish(graph, segment);
+      finish(graph);
     }
+  }
+  segment.resize(supervoxels);
+  for (std::uint32_t s = 0; s < supervoxels; ++s) {
+    segment[s] = segment_of_vertex_[coarsener_.vertex_of_supervoxel()[s]];
   }
   return segments_;
 }

@@ -17,6 +17,22 @@ Eigen::Vector3f point_at(const PointSet& points, std::size_t i) {
   return {points.x[i], points.y[i], points.z[i]};
 }
 
+using Label = std::uint16_t;
+
+// Neighbouring points mostly have one label. Calls work(label, first, end) for each such run in
+// [begin, end): what it sums up can stay in registers.
+template <typename Work>
+void for_label_runs(const std::vector<Label>& label_of_point, std::size_t begin, std::size_t end,
+                    Work&& work) {
+  while (begin < end) {
+    const Label label = label_of_point[begin];
+    std::size_t next = begin + 1;
+    while (next < end && label_of_point[next] == label) ++next;
+    work(label, begin, next);
+    begin = next;
+  }
+}
+
 Eigen::Matrix3f principal_axes(const Moments& moments) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(moments.covariance());
@@ -30,34 +46,37 @@ void ShapeDescriber::sum_up(const PointSet& points, const VoxelGrid& grid,
                             const std::vector<std::uint16_t>& label_of_point) {
   const std::size_t labels = *std::max_element(label_of_point.begin(), label_of_point.end());
   shapes_.assign(labels, Shape{});
+  for_label_runs(label_of_point, 0, points.size(),
+                 [&](Label label, std::size_t i, std::size_t end) {
+                   Moments sum;
+                   for (; i < end; ++i) sum.add_point(points.x[i], points.y[i], points.z[i]);
+                   shapes_[label - 1U].moments += sum;
+                 });
   for (std::size_t run = 0; run < grid.runs(); ++run) {
     const Eigen::Vector3f& normal = voxels[grid.run_voxel[run]].normal;
-    for (std::uint32_t i = grid.run_begin[run]; i < grid.run_begin[run + 1]; ++i) {
-      Shape& shape = shapes_[label_of_point[i] - 1U];
-      shape.moments.add_point(points.x[i], points.y[i], points.z[i]);
-      shape.normal_sum += normal;
-    }
+    for_label_runs(label_of_point, grid.run_begin[run], grid.run_begin[run + 1],
+                   [&](Label label, std::size_t begin, std::size_t end) {
+                     shapes_[label - 1U].normal_sum += normal * static_cast<float>(end - begin);
+                   });
   }
 }
 
 void ShapeDescriber::find_rectangles(const CloudView& cloud, const PointSet& points,
                                      const std::vector<std::uint16_t>& label_of_point) {
-  std::uint32_t row = 0;
-  std::size_t row_begin = 0;
-  for (std::size_t i = 0; i < points.size();) {
-    for (; points.index[i] >= row_begin + cloud.width; ++row) row_begin += cloud.width;
-    // Points of a row that follow each other with one label widen the rectangle once.
-    const std::size_t first = i;
-    while (i < points.size() && label_of_point[i] == label_of_point[first] &&
-           points.index[i] < row_begin + cloud.width) {
-      ++i;
-    }
-    Shape& shape = shapes_[label_of_point[first] - 1U];
-    shape.left = std::min(shape.left, static_cast<std::uint32_t>(points.index[first] - row_begin));
-    shape.right =
-        std::max(shape.right, static_cast<std::uint32_t>(points.index[i - 1] - row_begin));
-    shape.top = std::min(shape.top, row);
-    shape.bottom = row;
+  std::size_t begin = 0;
+  for (std::uint32_t row = 0; row < cloud.height; ++row) {
+    const std::uint32_t row_begin = row * cloud.width;
+    std::size_t end = begin;
+    while (end < points.size() && points.index[end] - row_begin < cloud.width) ++end;
+    for_label_runs(label_of_point, begin, end,
+                   [&](Label label, std::size_t first, std::size_t next) {
+                     Shape& shape = shapes_[label - 1U];
+                     shape.left = std::min(shape.left, points.index[first] - row_begin);
+                     shape.right = std::max(shape.right, points.index[next - 1] - row_begin);
+                     shape.top = std::min(shape.top, row);
+                     shape.bottom = row;
+                   });
+    begin = end;
   }
 }
 
@@ -101,15 +120,19 @@ void ShapeDescriber::choose_axes(const std::vector<Surfel>& voxels) {
 void ShapeDescriber::measure(const PointSet& points,
                              const std::vector<std::uint16_t>& label_of_point,
                              float plane_distance_m) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Shape& shape = shapes_[label_of_point[i] - 1U];
-    const Eigen::Vector3f p = point_at(points, i);
-    const Eigen::Vector3f along = shape.box_axes.transpose() * p;
-    shape.low = shape.low.cwiseMin(along);
-    shape.high = shape.high.cwiseMax(along);
-    const float distance_m = std::abs(shape.plane_normal.dot(p - shape.centroid));
-    shape.points_on_plane += distance_m <= plane_distance_m ? 1 : 0;
-  }
+  for_label_runs(label_of_point, 0, points.size(),
+                 [&](Label label, std::size_t i, std::size_t end) {
+                   Shape shape = shapes_[label - 1U];
+                   for (; i < end; ++i) {
+                     const Eigen::Vector3f p = point_at(points, i);
+                     const Eigen::Vector3f along = shape.box_axes.transpose() * p;
+                     shape.low = shape.low.cwiseMin(along);
+                     shape.high = shape.high.cwiseMax(along);
+                     const float distance_m = std::abs(shape.plane_normal.dot(p - shape.centroid));
+                     shape.points_on_plane += distance_m <= plane_distance_m ? 1 : 0;
+                   }
+                   shapes_[label - 1U] = shape;
+                 });
 }
 
 void ShapeDescriber::describe(const CloudView& cloud, const PointSet& points, const VoxelGrid& grid,

@@ -6,6 +6,7 @@
 #include "segmentation/adjacency.hpp"
 #include "segmentation/boundary_refinement.hpp"
 #include "segmentation/canonical_labels.hpp"
+#include "segmentation/cell_path.hpp"
 #include "segmentation/clean_up.hpp"
 #include "segmentation/mode_filter.hpp"
 #include "segmentation/normals.hpp"
@@ -35,10 +36,12 @@ struct Segmenter::Workspace {
   BoundaryRefiner boundary_refiner;
   ModeFilter mode_filter;
   LabelOrder label_order;
+  CellPath cell_path;
   ShapeDescriber shape_describer;
   BorderDescriber border_describer;
 
   PointSet points;
+  bool on_cells = false;  // or else on voxels
   VoxelGrid grid;
   NeighbourLists neighbours;   // of voxels
   std::vector<Surfel> voxels;  // of the grid
@@ -50,21 +53,42 @@ struct Segmenter::Workspace {
   std::vector<std::uint16_t> label_of_segment, label_of_point;
   SegmentImage image;
 
+  void voxelise(const CloudView& cloud, const Options& options);
+  void estimate_normals();
   void cluster_supervoxels(const SupervoxelOptions& options);
   void build_graph(const GraphOptions& options);
   void label_points(const CloudView& cloud, const RefineOptions& options,
                     std::span<std::uint16_t> labels);
+  void label_voxels(const CloudView& cloud, const RefineOptions& options);
   void filter_image(const CloudView& cloud, const RefineOptions& options);
   void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
 };
 
+void Segmenter::Workspace::voxelise(const CloudView& cloud, const Options& options) {
+  on_cells =
+      options.representation == Representation::cells && cell_path.gather(cloud, options.voxel);
+  if (on_cells) return;
+  voxeliser.voxelise(points, options.voxel, grid);
+  find_voxel_neighbours(grid, neighbours);
+}
+
+void Segmenter::Workspace::estimate_normals() {
+  if (on_cells) return cell_path.estimate_normals();
+  normal_estimator.estimate(grid.centroid, neighbours, voxels);
+}
+
 void Segmenter::Workspace::cluster_supervoxels(const SupervoxelOptions& options) {
+  if (on_cells) return cell_path.cluster(options, supervoxels);
   const std::uint32_t count = clusterer.cluster(voxels, neighbours, options, supervoxels.of_voxel);
   fitter.fit(grid, voxels, count, options.refit_from_points, supervoxels);
 }
 
 void Segmenter::Workspace::build_graph(const GraphOptions& options) {
-  adjacency_finder.find(supervoxels.of_voxel, neighbours, adjacent_pairs);
+  if (on_cells) {
+    cell_path.find_adjacent_pairs(adjacent_pairs);
+  } else {
+    adjacency_finder.find(supervoxels.of_voxel, neighbours, adjacent_pairs);
+  }
   build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, options, edges);
 }
 
@@ -83,9 +107,7 @@ void Segmenter::Workspace::filter_image(const CloudView& cloud, const RefineOpti
   }
 }
 
-void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
-                                        std::span<std::uint16_t> labels) {
-  segment_of_point.resize(points.size());
+void Segmenter::Workspace::label_voxels(const CloudView& cloud, const RefineOptions& options) {
   for (std::size_t run = 0; run < grid.runs(); ++run) {
     const std::uint32_t supervoxel = supervoxels.of_voxel[grid.run_voxel[run]];
     std::fill(segment_of_point.begin() + grid.run_begin[run],
@@ -97,6 +119,20 @@ void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOpti
                             segment_of_point);
   }
   if (options.mode_filter_radius > 0 && cloud.organised()) filter_image(cloud, options);
+}
+
+void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
+                                        std::span<std::uint16_t> labels) {
+  segment_of_point.resize(points.size());
+  if (on_cells) {
+    cell_path.label_points(cloud, supervoxels, segment_of_supervoxel, options);
+    const auto& segment = cell_path.image().segment;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      segment_of_point[i] = segment[points.index[i]];
+    }
+  } else {
+    label_voxels(cloud, options);
+  }
 
   label_order.order(segment_of_point, segments, label_of_segment);
   label_of_point.resize(points.size());
@@ -108,6 +144,7 @@ void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOpti
 
 void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOptions& options,
                                     Segmentation& result) {
+  if (on_cells) cell_path.list_as_voxels(points, grid, voxels);
   shape_describer.describe(cloud, points, grid, voxels, label_of_point, options, result.segments);
   border_describer.describe(edges, segment_of_supervoxel, label_of_segment, result.borders);
 }
@@ -142,11 +179,10 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   gather_finite_points(cloud, w.points);
   if (w.points.size() == 0) return Outcome::no_finite_point;
 
-  w.voxeliser.voxelise(w.points, options_.voxel, w.grid);
-  find_voxel_neighbours(w.grid, w.neighbours);
+  w.voxelise(cloud, options_);
   ended(Stage::voxelise);
 
-  w.normal_estimator.estimate(w.grid.centroid, w.neighbours, w.voxels);
+  w.estimate_normals();
   ended(Stage::normals);
 
   w.cluster_supervoxels(options_.supervoxel);

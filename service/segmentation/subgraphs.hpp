@@ -11,7 +11,7 @@ namespace cleave::segmentation {
 struct CutEdge {
   std::uint32_t first = 0, second = 0;
   float weight = 0;
-  bool cannot_link = false;
+  std::int32_t cannot_links = 0;  // how many edges of equation 4.7 it stands for
 };
 
 // Valid for the SubgraphStore it is from, until that subgraph is split.

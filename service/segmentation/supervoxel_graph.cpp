@@ -16,6 +16,7 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                      .second = pair.second,
                      .touching_voxels = pair.touching_voxels,
                      .weight = weight,
+                     .cosine = i.normal.dot(j.normal),
                      .convex = is_convex(i, j),
                      .valid = is_valid(i, j, options),
                      .cannot_link = is_cannot_link(weight, options)});

@@ -27,7 +27,7 @@ double utility(std::span<const CutEdge> edges, const std::set<std::uint32_t>& si
   for (const CutEdge& edge : edges) {
     if (side.contains(edge.first) == side.contains(edge.second)) continue;
     weight += edge.weight;
-    cannot_links += edge.cannot_link ? 1 : 0;
+    cannot_links += edge.cannot_links;
   }
   return cannot_links == 0 ? 0 : cannot_links / weight;
 }

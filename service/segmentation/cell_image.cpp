@@ -1,0 +1,204 @@
+#include "segmentation/cell_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "segmentation/multiversion.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+constexpr float front_layer = 1.015F;  // times the nearest depth in the cell
+constexpr float no_point = std::numeric_limits<float>::infinity();
+
+bool is_measured(const float* p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// Mean step of x/z from one pixel to the next, over every eighth row; 0 if no two pixels side by
+// side are measured.
+float pixel_pitch(const CloudView& cloud) {
+  constexpr std::uint32_t row_step = 8;
+  double sum = 0;
+  std::uint32_t steps = 0;
+  for (std::uint32_t row = 0; row < cloud.height; row += row_step) {
+    for (std::uint32_t column = 0; column + 1 < cloud.width; column += 2) {
+      const float* p = cloud.point(std::size_t{row} * cloud.width + column);
+      const float* q = p + cloud.stride;
+      if (!is_measured(p) || !is_measured(q)) continue;
+      sum += q[0] / q[2] - p[0] / p[2];
+      ++steps;
+    }
+  }
+  return steps == 0 ? 0 : static_cast<float>(sum / steps);
+}
+
+CLEAVE_MULTIVERSION
+void take_nearest(const float* __restrict z, std::size_t count, float* __restrict nearest) {
+  for (std::size_t i = 0; i < count; ++i) nearest[i] = z[i] < nearest[i] ? z[i] : nearest[i];
+}
+
+CLEAVE_MULTIVERSION
+void add_near_points(const float* __restrict x, const float* __restrict y,
+                     const float* __restrict z, const float* __restrict limit, std::size_t count,
+                     float* __restrict sum_x, float* __restrict sum_y, float* __restrict sum_z,
+                     float* __restrict points) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool counts = z[i] <= limit[i];
+    sum_x[i] += counts ? x[i] : 0;
+    sum_y[i] += counts ? y[i] : 0;
+    sum_z[i] += counts ? z[i] : 0;
+    points[i] += counts ? 1.0F : 0.0F;
+  }
+}
+
+// Sums over each `edge` neighbours.
+void add_up_columns(const std::vector<float>& column, std::uint32_t edge, std::size_t count,
+                    float* sum) {
+  const float* from = column.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    float total = 0;
+    for (std::uint32_t k = 0; k < edge; ++k) total += *from++;
+    sum[i] = total;
+  }
+}
+
+CLEAVE_MULTIVERSION
+void sums_to_means(std::size_t count, const float* __restrict points, float* __restrict x,
+                   float* __restrict y, float* __restrict z, float* __restrict u,
+                   float* __restrict v, float* __restrict inverse_depth) {
+  constexpr float nowhere = CellImage::nowhere;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool occupied = points[i] > 0;
+    const float share = 1 / (occupied ? points[i] : 1.0F);
+    const float mean_x = x[i] * share;
+    const float mean_y = y[i] * share;
+    const float mean_z = z[i] * share;
+    const float inverse = 1 / (occupied ? mean_z : 1.0F);
+    x[i] = occupied ? mean_x : nowhere;
+    y[i] = occupied ? mean_y : nowhere;
+    z[i] = occupied ? mean_z : nowhere;
+    u[i] = occupied ? mean_x * inverse : 0;
+    v[i] = occupied ? mean_y * inverse : 0;
+    inverse_depth[i] = occupied ? inverse : -nowhere;
+  }
+}
+
+// Does a coordinate grow from every occupied cell to the next one `step` away?
+bool grows(const CellImage& cells, const std::vector<float>& coordinate, std::size_t step) {
+  bool grows = true;
+  for (std::uint32_t row = 0; row < cells.rows; ++row) {
+    const std::size_t begin = cells.row_begin(row);
+    for (std::size_t i = begin; i < begin + cells.columns; ++i) {
+      const bool both = (cells.points[i] > 0) & (cells.points[i + step] > 0);
+      grows &= !both | (coordinate[i] < coordinate[i + step]);
+    }
+  }
+  return grows;
+}
+
+}  // namespace
+
+void CellImager::lay_out(const CloudView& cloud, float grid_offset, CellImage& cells) {
+  const std::uint32_t edge = cells.edge;
+  const std::uint32_t positions = edge * edge;
+  const auto position = std::min(
+      static_cast<std::uint32_t>(grid_offset * static_cast<float>(positions)), positions - 1);
+  cells.shift_x = position % edge;
+  cells.shift_y = position / edge;
+  cells.columns = (cloud.width + cells.shift_x + edge - 1) / edge;
+  cells.rows = (cloud.height + cells.shift_y + edge - 1) / edge;
+  cells.stride = (cells.columns + 2 * CellImage::border + 7) & ~7U;
+  const std::size_t size = std::size_t{cells.stride} * (cells.rows + 2 * CellImage::border);
+  for (auto* coordinate : {&cells.x, &cells.y, &cells.z}) {
+    coordinate->assign(size, CellImage::nowhere);
+  }
+  for (auto* ratio : {&cells.u, &cells.v}) ratio->assign(size, 0);
+  cells.inverse_depth.assign(size, -CellImage::nowhere);
+  cells.points.assign(size, 0);
+
+  padded_width_ = cells.columns * edge;
+  for (auto* pixels : {&x_, &y_, &z_}) pixels->resize(std::size_t{padded_width_} * edge);
+  for (auto* column : {&limit_m_, &sum_x_, &sum_y_, &sum_z_, &count_}) {
+    column->resize(padded_width_);
+  }
+}
+
+// Points of an image row into one of the slots; where there are none, z is no_point.
+bool CellImager::load_row(const CloudView& cloud, std::uint32_t row, std::uint32_t slot,
+                          std::uint32_t shift_x, DepthImage& depth_m) {
+  float* x = x_.data() + std::size_t{slot} * padded_width_;
+  float* y = y_.data() + std::size_t{slot} * padded_width_;
+  float* z = z_.data() + std::size_t{slot} * padded_width_;
+  std::fill_n(z, shift_x, no_point);
+  std::fill(z + shift_x + cloud.width, z + padded_width_, no_point);
+  const float* p = cloud.point(std::size_t{row} * cloud.width);
+  float* depth = depth_m.data() + std::size_t{row} * cloud.width;
+  bool all_in_front = true;
+  for (std::uint32_t column = 0; column < cloud.width; ++column, p += cloud.stride) {
+    const bool measured = p[0] * 0 + p[1] * 0 + p[2] * 0 == 0;  // none is infinite or no number
+    x[shift_x + column] = measured ? p[0] : 0;
+    y[shift_x + column] = measured ? p[1] : 0;
+    z[shift_x + column] = measured ? p[2] : no_point;
+    depth[column] = measured ? p[2] : 0;
+    all_in_front = all_in_front & (!measured | (p[2] > 0));
+  }
+  return all_in_front;
+}
+
+void CellImager::sum_front_layer(std::uint32_t slots, const CellImage& cells) {
+  const std::uint32_t edge = cells.edge;
+  std::fill(limit_m_.begin(), limit_m_.end(), no_point);
+  for (std::uint32_t slot = 0; slot < slots; ++slot) {
+    take_nearest(z_.data() + std::size_t{slot} * padded_width_, padded_width_, limit_m_.data());
+  }
+  for (float* limit = limit_m_.data(); limit < limit_m_.data() + padded_width_; limit += edge) {
+    const float nearest = *std::min_element(limit, limit + edge);
+    // Not infinite, or cells without points would find that all of them are near enough.
+    std::fill_n(limit, edge, std::min(nearest * front_layer, std::numeric_limits<float>::max()));
+  }
+  for (auto* sum : {&sum_x_, &sum_y_, &sum_z_, &count_}) std::fill(sum->begin(), sum->end(), 0.0F);
+  for (std::uint32_t slot = 0; slot < slots; ++slot) {
+    const std::size_t begin = std::size_t{slot} * padded_width_;
+    add_near_points(x_.data() + begin, y_.data() + begin, z_.data() + begin, limit_m_.data(),
+                    padded_width_, sum_x_.data(), sum_y_.data(), sum_z_.data(), count_.data());
+  }
+}
+
+void CellImager::store_row(std::uint32_t row, CellImage& cells) const {
+  const std::size_t begin = cells.row_begin(row);
+  const std::uint32_t columns = cells.columns;
+  add_up_columns(sum_x_, cells.edge, columns, cells.x.data() + begin);
+  add_up_columns(sum_y_, cells.edge, columns, cells.y.data() + begin);
+  add_up_columns(sum_z_, cells.edge, columns, cells.z.data() + begin);
+  add_up_columns(count_, cells.edge, columns, cells.points.data() + begin);
+  sums_to_means(columns, cells.points.data() + begin, cells.x.data() + begin,
+                cells.y.data() + begin, cells.z.data() + begin, cells.u.data() + begin,
+                cells.v.data() + begin, cells.inverse_depth.data() + begin);
+}
+
+bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
+                        DepthImage& depth_m) {
+  const float pitch = pixel_pitch(cloud);
+  if (!cloud.organised() || !(pitch > 0)) return false;
+  const float max_edge = static_cast<float>(std::min(cloud.width, cloud.height));
+  cells.edge = static_cast<std::uint32_t>(std::clamp(std::round(size / pitch), 1.0F, max_edge));
+  cells.pitch = pitch * static_cast<float>(cells.edge);
+  lay_out(cloud, grid_offset, cells);
+  depth_m.resize(cloud.size());
+
+  bool all_in_front = true;
+  std::uint32_t next = 0;
+  for (std::uint32_t row = 0; row < cells.rows; ++row) {
+    const std::uint32_t end = std::min((row + 1) * cells.edge - cells.shift_y, cloud.height);
+    const std::uint32_t slots = end - next;
+    for (std::uint32_t slot = 0; slot < slots; ++slot, ++next) {
+      all_in_front = load_row(cloud, next, slot, cells.shift_x, depth_m) && all_in_front;
+    }
+    sum_front_layer(slots, cells);
+    store_row(row, cells);
+  }
+  return all_in_front && grows(cells, cells.u, 1) && grows(cells, cells.v, cells.stride);
+}
+
+}  // namespace cleave::segmentation

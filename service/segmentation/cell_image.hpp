@@ -1,0 +1,70 @@
+// An organised cloud in cells of a few pixels: what the fast path has instead of voxels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "segmentation/cloud_view.hpp"
+
+namespace cleave::segmentation {
+
+// Structure of arrays over cells, row-major, inside a border of empty cells: a neighbour is a fixed
+// offset away, and no loop asks whether it is there. A cell without points lies nowhere near
+// another: its coordinates are `nowhere`, its inverse depth is -nowhere.
+struct CellImage {
+  static constexpr std::uint32_t border = 20;  // cells on every side
+  static constexpr float nowhere = 1e9F;
+  static constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t edge = 1;                           // of a cell, pixels
+  std::uint32_t shift_x = 0, shift_y = 0;           // pixels that the first column and row lack
+  std::uint32_t columns = 0, rows = 0;              // without the border
+  std::uint32_t stride = 0;                         // cells from one row to the next
+  float pitch = 0;                                  // of a cell, in units of x/z
+  std::vector<float> x, y, z;                       // mean of the cell's points, metres
+  std::vector<float> u, v, inverse_depth;           // x/z, y/z, 1/z of that
+  std::vector<float> normal_x, normal_y, normal_z;  // unit length, towards the sensor
+  std::vector<float> points;                        // how many points the mean is of
+
+  // Offsets to the neighbours east, south-west, south, south-east; minus them, the other four.
+  [[nodiscard]] std::array<std::ptrdiff_t, 4> steps() const {
+    const auto down = static_cast<std::ptrdiff_t>(stride);
+    return {1, down - 1, down, down + 1};
+  }
+  [[nodiscard]] std::size_t size() const { return points.size(); }
+  [[nodiscard]] std::size_t row_begin(std::uint32_t row) const {
+    return std::size_t{row + border} * stride + border;
+  }
+  [[nodiscard]] bool occupied(std::size_t cell) const { return points[cell] > 0; }
+};
+
+// Depth of every pixel of the cloud, row-major, metres; 0 = no measurement.
+using DepthImage = std::vector<float>;
+
+// Gathers an organised cloud into cells. Where depths in a cell differ by more than 1.5 percent,
+// only its front layer counts: a mean over two surfaces lies on neither.
+class CellImager {
+ public:
+  // `size`: edge of a cell in units of x/z, rounded to whole pixels. `grid_offset`: 0 to 1, which
+  // of the grid's edge * edge positions in the image. False, with `cells` undefined, if the cloud
+  // is not an image seen from the origin: a point with z <= 0, x/z that does not grow along a row,
+  // y/z that does not grow along a column, or no two cells side by side.
+  [[nodiscard]] bool gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
+                            DepthImage& depth_m);
+
+ private:
+  void lay_out(const CloudView& cloud, float grid_offset, CellImage& cells);
+  [[nodiscard]] bool load_row(const CloudView& cloud, std::uint32_t row, std::uint32_t slot,
+                              std::uint32_t shift_x, DepthImage& depth_m);
+  void sum_front_layer(std::uint32_t slots, const CellImage& cells);
+  void store_row(std::uint32_t row, CellImage& cells) const;
+
+  std::uint32_t padded_width_ = 0;  // whole cells, shift included
+  std::vector<float> x_, y_, z_;    // the pixel rows of one row of cells; z = infinity: no point
+  std::vector<float> limit_m_, sum_x_, sum_y_, sum_z_, count_;  // a column of pixels in them
+};
+
+}  // namespace cleave::segmentation

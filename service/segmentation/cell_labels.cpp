@@ -1,0 +1,134 @@
+#include "segmentation/cell_labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "segmentation/cell_clustering.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+// The pixel rows or columns of the image that a row or column of cells covers.
+struct PixelRange {
+  std::uint32_t begin, end;
+};
+PixelRange pixels_of(std::uint32_t cell, std::uint32_t edge, std::uint32_t shift,
+                     std::uint32_t size) {
+  const std::uint32_t begin = cell * edge;
+  return {begin > shift ? begin - shift : 0, std::min(begin + edge - shift, size)};
+}
+
+}  // namespace
+
+void CellLabeller::fill_rows(const CellImage& cells, std::uint32_t row, SegmentImage& image) {
+  const std::uint32_t* segment = segment_of_cell_.data() + cells.row_begin(row);
+  row_.resize(std::size_t{cells.columns} * cells.edge);
+  for (std::uint32_t column = 0; column < cells.columns; ++column) {
+    std::fill_n(row_.data() + std::size_t{column} * cells.edge, cells.edge, segment[column]);
+  }
+  const std::uint32_t* from = row_.data() + cells.shift_x;
+  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.height);
+  for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
+    const std::size_t begin = std::size_t{y} * image.width;
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      image.segment[begin + x] = image.depth_m[begin + x] > 0 ? from[x] : SegmentImage::no_segment;
+    }
+  }
+}
+
+bool CellLabeller::on_border(const CellImage& cells, std::size_t cell) const {
+  bool differs = false;
+  for (const std::ptrdiff_t step : cells.steps()) {
+    for (const std::size_t other :
+         {cell + static_cast<std::size_t>(step), cell - static_cast<std::size_t>(step)}) {
+      const std::uint32_t segment = segment_of_cell_[other];
+      differs |= segment != segment_of_cell_[cell] && segment != SegmentImage::no_segment;
+    }
+  }
+  return differs;
+}
+
+CellLabeller::Candidates CellLabeller::candidates_around(
+    const CellImage& cells, std::size_t cell,
+    const std::vector<std::uint32_t>& supervoxel_of_cell) const {
+  Candidates found;
+  found.supervoxel[found.count++] = supervoxel_of_cell[cell];
+  for (const std::ptrdiff_t step : cells.steps()) {
+    for (const std::size_t other :
+         {cell + static_cast<std::size_t>(step), cell - static_cast<std::size_t>(step)}) {
+      const std::uint32_t s = supervoxel_of_cell[other];
+      const auto end = found.supervoxel.begin() + found.count;
+      if (s == CellClusterer::no_owner || std::find(found.supervoxel.begin(), end, s) != end) {
+        continue;
+      }
+      found.supervoxel[found.count++] = s;
+    }
+  }
+  return found;
+}
+
+std::uint32_t CellLabeller::nearest_plane(const Eigen::Vector3f& point,
+                                          const Candidates& candidates) const {
+  std::uint32_t nearest = candidates.supervoxel[0];
+  float least_distance_m = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < candidates.count; ++k) {
+    const Plane& plane = plane_[candidates.supervoxel[k]];
+    const float distance_m = std::abs(plane.normal.dot(point) - plane.offset_m);
+    if (distance_m < least_distance_m) {
+      least_distance_m = distance_m;
+      nearest = candidates.supervoxel[k];
+    }
+  }
+  return nearest;
+}
+
+void CellLabeller::refine_row(const CloudView& cloud, const CellImage& cells, std::uint32_t row,
+                              const std::vector<std::uint32_t>& supervoxel_of_cell,
+                              const std::vector<std::uint32_t>& segment_of_supervoxel,
+                              SegmentImage& image) {
+  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.height);
+  for (std::uint32_t column = 0; column < cells.columns; ++column) {
+    const std::size_t cell = cells.row_begin(row) + column;
+    if (!cells.occupied(cell) || !on_border(cells, cell)) continue;
+    const Candidates candidates = candidates_around(cells, cell, supervoxel_of_cell);
+    const PixelRange columns = pixels_of(column, cells.edge, cells.shift_x, image.width);
+    for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
+      for (std::uint32_t x = columns.begin; x < columns.end; ++x) {
+        const std::size_t i = std::size_t{y} * image.width + x;
+        if (!(image.depth_m[i] > 0)) continue;
+        const Eigen::Vector3f point = Eigen::Map<const Eigen::Vector3f>(cloud.point(i));
+        image.segment[i] = segment_of_supervoxel[nearest_plane(point, candidates)];
+      }
+    }
+  }
+}
+
+void CellLabeller::label(const CloudView& cloud, const CellImage& cells,
+                         const std::vector<std::uint32_t>& supervoxel_of_cell,
+                         const Supervoxels& supervoxels,
+                         const std::vector<std::uint32_t>& segment_of_supervoxel, bool refine,
+                         SegmentImage& image) {
+  plane_.resize(supervoxels.size());
+  for (std::size_t s = 0; s < supervoxels.size(); ++s) {
+    const Surfel& surfel = supervoxels.surfel[s];
+    plane_[s] = {surfel.normal, surfel.normal.dot(surfel.position)};
+  }
+  segment_of_cell_.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::uint32_t s = supervoxel_of_cell[i];
+    segment_of_cell_[i] =
+        s == CellClusterer::no_owner ? SegmentImage::no_segment : segment_of_supervoxel[s];
+  }
+  image.width = cloud.width;
+  image.height = cloud.height;
+  image.segment.resize(cloud.size());
+  for (std::uint32_t row = 0; row < cells.rows; ++row) {
+    fill_rows(cells, row, image);
+    if (refine) {
+      refine_row(cloud, cells, row, supervoxel_of_cell, segment_of_supervoxel, image);
+    }
+  }
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,49 @@
+// From segments of supervoxels to segments of pixels, with borders finer than a cell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/cell_image.hpp"
+#include "segmentation/mode_filter.hpp"
+#include "segmentation/supervoxels.hpp"
+
+namespace cleave::segmentation {
+
+class CellLabeller {
+ public:
+  // Fills image.segment from image.depth_m (0 = no measurement): each pixel takes the segment of
+  // its cell's supervoxel. With `refine`, a pixel of a cell that has a neighbour in another segment
+  // goes to the supervoxel, of those in the 3x3 cells around, whose plane is nearest.
+  void label(const CloudView& cloud, const CellImage& cells,
+             const std::vector<std::uint32_t>& supervoxel_of_cell, const Supervoxels& supervoxels,
+             const std::vector<std::uint32_t>& segment_of_supervoxel, bool refine,
+             SegmentImage& image);
+
+ private:
+  struct Plane {
+    Eigen::Vector3f normal;
+    float offset_m;  // normal . any point of the plane
+  };
+  struct Candidates {
+    std::array<std::uint32_t, 9> supervoxel;
+    std::size_t count = 0;
+  };
+  void fill_rows(const CellImage& cells, std::uint32_t row, SegmentImage& image);
+  void refine_row(const CloudView& cloud, const CellImage& cells, std::uint32_t row,
+                  const std::vector<std::uint32_t>& supervoxel_of_cell,
+                  const std::vector<std::uint32_t>& segment_of_supervoxel, SegmentImage& image);
+  [[nodiscard]] bool on_border(const CellImage& cells, std::size_t cell) const;
+  [[nodiscard]] Candidates candidates_around(
+      const CellImage& cells, std::size_t cell,
+      const std::vector<std::uint32_t>& supervoxel_of_cell) const;
+  [[nodiscard]] std::uint32_t nearest_plane(const Eigen::Vector3f& point,
+                                            const Candidates& candidates) const;
+
+  std::vector<Plane> plane_;                    // of a supervoxel
+  std::vector<std::uint32_t> segment_of_cell_;  // no_segment for empty cells
+  std::vector<std::uint32_t> row_;              // of pixels, whole cells
+};
+
+}  // namespace cleave::segmentation

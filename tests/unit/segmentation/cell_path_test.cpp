@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include "depth_scene.hpp"
+#include "segmentation/segmenter.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+std::vector<std::uint16_t> labels_of(Segmenter& segmenter, const DepthScene& scene) {
+  std::vector<std::uint16_t> labels(scene.view().size());
+  Segmentation result;
+  EXPECT_EQ(segmenter.segment(scene.view(), labels, result), Outcome::segmented);
+  return labels;
+}
+
+Segmenter segmenter_for(Representation representation) {
+  Options options;
+  options.representation = representation;
+  return Segmenter(options);
+}
+
+TEST(CellPath, IsNotTakenUnlessAskedFor) {
+  const DepthScene scene(11);
+  Segmenter automatic = segmenter_for(Representation::automatic);
+  Segmenter voxels = segmenter_for(Representation::voxels);
+
+  EXPECT_EQ(labels_of(automatic, scene), labels_of(voxels, scene));
+}
+
+TEST(CellPath, LeavesOtherCloudsToTheVoxels) {
+  DepthScene scene(12);
+  for (std::size_t i = 0; i < scene.xyz.size(); i += 3) scene.xyz[i] = -scene.xyz[i];
+  Segmenter cells = segmenter_for(Representation::cells);
+  Segmenter voxels = segmenter_for(Representation::voxels);
+
+  EXPECT_EQ(labels_of(cells, scene), labels_of(voxels, scene));
+}
+
+TEST(CellPath, RemembersNothingOfFramesBefore) {
+  const DepthScene scene(13);
+  DepthScene narrow(14);
+  narrow.height = 60;
+  narrow.xyz.resize(std::size_t{3} * narrow.width * narrow.height);
+  Segmenter segmenter = segmenter_for(Representation::cells);
+
+  const auto first = labels_of(segmenter, scene);
+  (void)labels_of(segmenter, narrow);
+
+  EXPECT_EQ(labels_of(segmenter, scene), first);
+}
+
+TEST(CellPath, LabelsExactlyWhatWasMeasured) {
+  const DepthScene scene(15);
+  Segmenter segmenter = segmenter_for(Representation::cells);
+
+  const auto labels = labels_of(segmenter, scene);
+
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_EQ(labels[i] != 0, std::isfinite(scene.view().point(i)[2]));
+  }
+}
+
+TEST(CellPath, SeparatesTheFacesOfABoxFromTheTable) {
+  const DepthScene scene(16);
+  Segmenter segmenter = segmenter_for(Representation::cells);
+
+  const auto labels = labels_of(segmenter, scene);
+
+  const auto at = [&](std::size_t column, std::size_t row) {
+    return labels[row * scene.width + column];
+  };
+  EXPECT_NE(at(10, 100), at(65, 70));
+}
+
+}  // namespace
+}  // namespace cleave::segmentation
