@@ -89,7 +89,8 @@ std::optional<RawSample> RawReader::take() {
   }
 }
 
-// By liveliness, not by matching: a killed process stays matched for its participant's lease of 10 s.
+// By liveliness, not by matching: a killed process stays matched for its participant's lease of 10
+// s.
 unsigned RawReader::live_writers() const {
   dds_liveliness_changed_status_t status;
   const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;

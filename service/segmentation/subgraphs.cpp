@@ -31,7 +31,8 @@ std::span<const CutEdge> SubgraphStore::edges(const Subgraph& graph) const {
 
 bool SubgraphStore::has_cannot_link(const Subgraph& graph) const {
   const auto range = edges(graph);
-  return std::any_of(range.begin(), range.end(), [](const CutEdge& e) { return e.cannot_links > 0; });
+  return std::any_of(range.begin(), range.end(),
+                     [](const CutEdge& e) { return e.cannot_links > 0; });
 }
 
 std::span<const std::uint32_t> SubgraphStore::order(std::size_t k, const Subgraph& graph) const {

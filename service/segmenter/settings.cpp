@@ -24,8 +24,8 @@ segmentation::Options read_options(config::Section section) {
 
 void check_sensor(const std::string& name) {
   if (is_valid_sensor_name(name)) return;
-  throw std::invalid_argument("--sensor: expected 1 to 63 letters, digits or '_', found '" +
-                              name + "'");
+  throw std::invalid_argument("--sensor: expected 1 to 63 letters, digits or '_', found '" + name +
+                              "'");
 }
 
 // For each sensor: as asked for, or a fair share of the cores.

@@ -7,8 +7,8 @@
 
 namespace cleave::test {
 
-// Held by whoever starts a RouDi in a test: waits until no other test does. Throws when a RouDi that
-// is not a test's answers already.
+// Held by whoever starts a RouDi in a test: waits until no other test does. Throws when a RouDi
+// that is not a test's answers already.
 class RouDiLock {
  public:
   RouDiLock();
