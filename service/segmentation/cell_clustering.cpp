@@ -60,14 +60,16 @@ void claim_window(const Window& w, const Claim& c, float per_metre, float normal
 void CellClusterer::plant_seeds(const CellImage& cells) {
   centre_.clear();
   for (const std::uint32_t i : seeds_) {
+    const std::size_t row = i / cells.stride - CellImage::border;
+    const std::size_t column = i % cells.stride - CellImage::border;
     centre_.push_back({.x = cells.x[i],
                        .y = cells.y[i],
                        .z = cells.z[i],
                        .normal_x = cells.normal_x[i],
                        .normal_y = cells.normal_y[i],
                        .normal_z = cells.normal_z[i],
-                       .column = static_cast<float>(i % cells.stride - CellImage::border),
-                       .row = static_cast<float>(i / cells.stride - CellImage::border),
+                       .column = static_cast<float>(column),
+                       .row = static_cast<float>(row),
                        .cells = 1});
   }
 }

@@ -45,7 +45,8 @@ Neighbours neighbours_of_a_cell(std::uint32_t stride) {
 
 // So many cells at a time: their sums stay in the nearest cache.
 constexpr std::size_t block = 32;
-static_assert(block <= 2 * CellImage::border, "a row's last block must end before the next row");
+static_assert(block <= std::size_t{2} * CellImage::border,
+              "a row's last block must end before the next row");
 using Lanes = std::array<float, block>;
 
 // Weighted sums of offsets from the cell in the middle; q = 1/z.
