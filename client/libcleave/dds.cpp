@@ -51,4 +51,9 @@ dds_entity_t participant_of(const Stream& stream, const Topic& topic) {
   return topic.domain == Domain::bulk ? stream.bulk_participant() : stream.public_participant();
 }
 
+Entity create_topic(dds_entity_t participant, const Topic& topic) {
+  return {dds_create_topic(participant, topic.descriptor, topic.name.c_str(), nullptr, nullptr),
+          "cannot create topic " + topic.name};
+}
+
 }  // namespace cleave::dds

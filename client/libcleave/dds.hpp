@@ -54,4 +54,7 @@ using Listener = std::unique_ptr<dds_listener_t, ListenerDeleter>;
 // The participant of the topic's domain.
 [[nodiscard]] dds_entity_t participant_of(const Stream& stream, const Topic& topic);
 
+// Throws std::runtime_error that names the topic.
+[[nodiscard]] Entity create_topic(dds_entity_t participant, const Topic& topic);
+
 }  // namespace cleave::dds

@@ -70,9 +70,7 @@ RawWriter::RawWriter(Stream& stream, const Topic& topic, WriterDepth depth)
     : state_(std::make_unique<State>(topic)) {
   State& s = *state_;
   const dds_entity_t participant = dds::participant_of(stream, topic);
-  s.dds_topic = {
-      dds_create_topic(participant, topic.descriptor, topic.name.c_str(), nullptr, nullptr),
-      "cannot create topic " + topic.name};
+  s.dds_topic = dds::create_topic(participant, topic);
   const dds::Listener listener(dds_create_listener(&s.topic));
   dds_lset_publication_matched(listener.get(), on_matched);
   dds_lset_offered_incompatible_qos(listener.get(), on_incompatible);

@@ -1,122 +1,19 @@
-// The whole pipeline with clouds from memory, segmenters of random duration and a sink that
-// remembers: what the daemon does but for DDS.
+// The whole pipeline with segmenters of random duration: what the daemon does but for DDS.
 #include "segmenter/frame_pipeline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <memory>
-#include <random>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "tests/unit/segmenter/pipeline_fixture.hpp"
 
 namespace cleave::service {
 namespace {
 
-using segmentation::CloudView;
-using segmentation::Outcome;
-using segmentation::Segmentation;
-
-// Remembers what was published; loans at most as many label maps as a DDS writer does.
-class FakeSink : public ResultSink {
- public:
-  struct List {
-    std::uint64_t frame_id;
-    cleave_v1_FrameOutcome outcome;
-    std::uint32_t segments;
-    std::string sensor;
-  };
-
-  [[nodiscard]] std::unique_ptr<LabelLoan> loan_labels() override {
-    if (exhausted) return nullptr;
-    return std::make_unique<Loan>(*this);
-  }
-  [[nodiscard]] bool publish(const SegmentList& list) override {
-    if (refuses) return false;
-    lists.push_back({list.header.frame_id, list.outcome, list.segments._length,
-                     std::string(name_of(list.header.sensor))});
-    return true;
-  }
-  [[nodiscard]] std::vector<std::uint64_t> list_ids() const {
-    std::vector<std::uint64_t> ids;
-    for (const List& list : lists) ids.push_back(list.frame_id);
-    return ids;
-  }
-
-  std::atomic<bool> exhausted{false};
-  std::atomic<bool> refuses{false};
-  std::atomic<int> loans{0};
-  std::atomic<int> most_loans{0};
-  std::vector<List> lists;               // one thread at a time publishes
-  std::vector<std::uint64_t> label_ids;  // as above
-  std::vector<std::uint16_t> first_labels;
-
- private:
-  class Loan : public LabelLoan {
-   public:
-    explicit Loan(FakeSink& sink) : sink_(sink) {
-      const int now = ++sink_.loans;
-      int most = sink_.most_loans;
-      while (now > most && !sink_.most_loans.compare_exchange_weak(most, now)) {
-      }
-    }
-    ~Loan() override { --sink_.loans; }
-    [[nodiscard]] LabelMap& map() override { return *map_; }
-    [[nodiscard]] bool publish() override {
-      sink_.label_ids.push_back(map_->header.frame_id);
-      sink_.first_labels.push_back(map_->label[0]);
-      return true;
-    }
-
-   private:
-    FakeSink& sink_;
-    std::unique_ptr<LabelMap> map_ = std::make_unique_for_overwrite<LabelMap>();
-  };
-};
-
-std::shared_ptr<DepthCloud> cloud(std::uint64_t frame_id) {
-  // Zeroing all points would dominate the test under the thread sanitizer.
-  auto made = std::make_shared_for_overwrite<DepthCloud>();
-  made->header = {};
-  made->header.frame_id = frame_id;
-  made->header.width = 4;
-  made->header.height = 3;
-  made->header.publication_time_ns = monotonic_now_ns();
-  made->xyz[0] = static_cast<float>(frame_id);
-  EXPECT_TRUE(set_name(made->header.sensor, "camera"));
-  return made;
-}
-
-// Labels the first point with the cloud's first coordinate, and finds one segment.
-Outcome echo(const CloudView& view, std::span<std::uint16_t> labels, Segmentation& result) {
-  std::fill(labels.begin(), labels.end(), std::uint16_t{0});
-  labels[0] = static_cast<std::uint16_t>(view.point(0)[0]);
-  result.segments.resize(1);
-  return Outcome::segmented;
-}
-
-SegmentFunction echo_after_random_time(unsigned seed) {
-  return [random = std::mt19937(seed)](const CloudView& view, std::span<std::uint16_t> labels,
-                                       Segmentation& result) mutable {
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % 2000));
-    return echo(view, labels, result);
-  };
-}
-
-std::vector<SegmentFunction> random_workers(unsigned count) {
-  std::vector<SegmentFunction> workers;
-  for (unsigned i = 0; i < count; ++i) workers.push_back(echo_after_random_time(i));
-  return workers;
-}
-
-void expect_balanced(const FrameCounts& counts) {
-  EXPECT_EQ(counts.received,
-            counts.published + counts.dropped_total() + counts.rejected_total() + counts.in_flight);
-}
+using namespace test;
 
 class FramePipelineWorkers : public testing::TestWithParam<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(Counts, FramePipelineWorkers, testing::Values(1, 2, 4, 6));
@@ -256,80 +153,6 @@ TEST(FramePipeline, CountsAFrameAsDroppedWhenItsResultsAreRefused) {
 
   EXPECT_EQ(pipeline.counts().published, 0U);
   EXPECT_EQ(pipeline.counts().dropped.at(static_cast<std::size_t>(DropCause::refused_by_dds)), 1U);
-}
-
-// Holds frame 1 in its worker until the test opens the gate.
-class Gate {
- public:
-  SegmentFunction worker() {
-    return [this](const CloudView& view, std::span<std::uint16_t> labels, Segmentation& result) {
-      if (view.point(0)[0] == 1) {
-        entered_ = true;
-        while (!open_) std::this_thread::yield();
-      }
-      return echo(view, labels, result);
-    };
-  }
-  void wait_until_entered() const {
-    while (!entered_) std::this_thread::yield();
-  }
-  void open() { open_ = true; }
-
- private:
-  std::atomic<bool> open_{false};
-  std::atomic<bool> entered_{false};
-};
-
-TEST(FramePipeline, IgnoresAResendInFlightAndAnswersOneThatWasPublished) {
-  FakeSink sink;
-  Gate gate;
-  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {gate.worker()});
-
-  pipeline.accept(cloud(1), false);
-  gate.wait_until_entered();
-  pipeline.accept(cloud(1), false);
-  gate.open();
-  while (pipeline.counts().in_flight > 0) std::this_thread::yield();
-  pipeline.accept(cloud(1), false);
-  pipeline.drain();
-
-  EXPECT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 1}));
-  EXPECT_EQ(pipeline.counts().received, 1U);
-  EXPECT_EQ(pipeline.counts().published, 1U);
-  EXPECT_EQ(pipeline.counts().duplicates, 2U);
-}
-
-TEST(FramePipeline, LetsGoOfTheCloudBeforeItsTurnToBePublishedComes) {
-  FakeSink sink;
-  Gate gate;
-  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {gate.worker(), gate.worker()});
-  pipeline.accept(cloud(1), false);
-  gate.wait_until_entered();
-  auto second = cloud(2);
-  const std::weak_ptr<const DepthCloud> watched = second;
-  pipeline.accept(std::move(second), false);
-
-  while (!watched.expired()) std::this_thread::yield();
-  EXPECT_TRUE(sink.lists.empty());
-  gate.open();
-  pipeline.drain();
-
-  EXPECT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 2}));
-}
-
-TEST(FramePipeline, HoldsNoMoreLoansThanAWriterHasWhileASlowFrameBlocksTheOrder) {
-  FakeSink sink;
-  Gate gate;
-  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink,
-                         {gate.worker(), gate.worker(), gate.worker()});
-  for (std::uint64_t id = 1; id <= 16; ++id) pipeline.accept(cloud(id), false);
-  while (sink.loans < static_cast<int>(ResultSink::max_loans)) std::this_thread::yield();
-
-  gate.open();
-  pipeline.drain();
-
-  EXPECT_EQ(sink.most_loans, static_cast<int>(ResultSink::max_loans));
-  EXPECT_EQ(sink.lists.size(), 16U);
 }
 
 }  // namespace
