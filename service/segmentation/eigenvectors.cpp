@@ -1,107 +1,98 @@
 #include "segmentation/eigenvectors.hpp"
 
-#include <Spectra/SymEigsShiftSolver.h>
-
-#include <Eigen/CholmodSupport>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <numeric>
 
 namespace cleave::segmentation {
 namespace {
 
-using Matrix = Eigen::SparseMatrix<double>;
-
-// Measured crossings: below the first the dense solver is fastest, above the second CHOLMOD is.
-constexpr std::size_t max_dense_vertices = 40;
-constexpr std::size_t min_cholmod_vertices = 300;
-
 // L is singular; L + shift I is not, and its inverse turns small eigenvalues into large ones.
 constexpr double shift = 1e-3;
-constexpr double tolerance = 1e-3;
-constexpr Eigen::Index max_restarts = 300;
-
-Matrix shifted_laplacian(std::size_t vertices, const std::vector<WeightedEdge>& edges) {
-  std::vector<Eigen::Triplet<double, int>> lower;
-  lower.reserve(3 * edges.size() + vertices);
-  const auto add = [&](std::uint32_t row, std::uint32_t column, double value) {
-    lower.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
-  };
-  for (const WeightedEdge& edge : edges) {
-    add(std::max(edge.first, edge.second), std::min(edge.first, edge.second), -edge.weight);
-    add(edge.first, edge.first, edge.weight);
-    add(edge.second, edge.second, edge.weight);
-  }
-  for (std::uint32_t v = 0; v < vertices; ++v) add(v, v, shift);
-  Matrix matrix(static_cast<Eigen::Index>(vertices), static_cast<Eigen::Index>(vertices));
-  matrix.setFromTriplets(lower.begin(), lower.end());
-  return matrix;
-}
-
-// y = (L + shift I)^-1 x, in the form that Spectra asks for.
-template <typename Factorisation>
-class ShiftInverse {
- public:
-  using Scalar = double;
-
-  ShiftInverse(const Factorisation& factorisation, Eigen::Index size)
-      : factorisation_(factorisation), size_(size) {}
-  [[nodiscard]] Eigen::Index rows() const { return size_; }
-  [[nodiscard]] Eigen::Index cols() const { return size_; }
-  void set_shift(double) {}  // it is in the factorisation
-  void perform_op(const double* x, double* y) const {
-    Eigen::Map<Eigen::VectorXd>(y, size_) =
-        factorisation_.solve(Eigen::Map<const Eigen::VectorXd>(x, size_));
-  }
-
- private:
-  const Factorisation& factorisation_;
-  Eigen::Index size_;
-};
-
-// Any vector will do that is not orthogonal to one that is sought; a fixed one repeats the result.
-Eigen::VectorXd start_vector(Eigen::Index size) {
-  return Eigen::VectorXd::LinSpaced(size, -1, 1).array().sin() + 0.01;
-}
-
-template <typename Factorisation>
-Eigen::MatrixXd lanczos(const Factorisation& factorisation, Eigen::Index size,
-                        Eigen::Index wanted) {
-  ShiftInverse<Factorisation> inverse(factorisation, size);
-  const Eigen::Index basis = std::min(size, std::max<Eigen::Index>(2 * wanted + 1, 20));
-  Spectra::SymEigsShiftSolver solver(inverse, wanted, basis, -shift);
-  const Eigen::VectorXd start = start_vector(size);
-  solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestMagn, max_restarts, tolerance,
-                 Spectra::SortRule::SmallestAlge);
-  return solver.eigenvectors();
-}
-
-Eigen::MatrixXd sparse_eigenvectors(const Matrix& lower, Eigen::Index wanted) {
-  if (lower.rows() < static_cast<Eigen::Index>(min_cholmod_vertices)) {
-    return lanczos(Eigen::SimplicialLDLT<Matrix>(lower), lower.rows(), wanted);
-  }
-  Eigen::CholmodSimplicialLLT<Matrix> factorisation;
-  // One ordering, and it is deterministic; by default CHOLMOD tries several.
-  factorisation.cholmod().nmethods = 1;
-  factorisation.cholmod().method[0].ordering = CHOLMOD_AMD;
-  factorisation.compute(lower);
-  return lanczos(factorisation, lower.rows(), wanted);
-}
 
 }  // namespace
 
-Eigen::MatrixXd laplacian_eigenvectors(std::size_t vertices, const std::vector<WeightedEdge>& edges,
-                                       std::uint32_t wanted) {
-  const Matrix lower = shifted_laplacian(vertices, edges);
-  const Eigen::Index with_trivial = Eigen::Index{wanted} + 1;
-  if (vertices <= max_dense_vertices || with_trivial >= lower.rows()) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(lower)};
-    return solver.eigenvectors().middleCols(1, std::min(with_trivial, lower.rows()) - 1);
+void LaplacianEigensolver::reset(std::uint32_t vertices, std::span<const WeightedEdge> edges) {
+  const auto ranks = order_.ranks(vertices, edges);
+  rank_.assign(ranks.begin(), ranks.end());
+  row_.resize(vertices);
+}
+
+// Rows of the matrix follow the whole graph's order of elimination.
+void LaplacianEigensolver::place_in_order(std::span<const std::uint32_t> vertices) {
+  by_rank_.resize(vertices.size());
+  std::iota(by_rank_.begin(), by_rank_.end(), 0U);
+  std::sort(by_rank_.begin(), by_rank_.end(), [&](std::uint32_t l, std::uint32_t r) {
+    return rank_[vertices[l]] < rank_[vertices[r]];
+  });
+  for (std::uint32_t row = 0; row < by_rank_.size(); ++row) row_[vertices[by_rank_[row]]] = row;
+}
+
+void LaplacianEigensolver::lay_out_rows(std::span<const WeightedEdge> edges) {
+  const std::size_t size = by_rank_.size();
+  matrix_.diagonal.assign(size, shift);
+  matrix_.row_begin.assign(size + 1, 0);
+  for (const WeightedEdge& edge : edges) {
+    const auto [column, row] = std::minmax(row_[edge.first], row_[edge.second]);
+    matrix_.diagonal[column] += edge.weight;
+    matrix_.diagonal[row] += edge.weight;
+    ++matrix_.row_begin[row + 1];
   }
-  // The trivial vector has by far the largest eigenvalue of the inverse and is found first.
-  const Eigen::MatrixXd found = sparse_eigenvectors(lower, with_trivial);
-  return found.rightCols(std::max<Eigen::Index>(found.cols() - 1, 0));
+  for (std::size_t row = 0; row < size; ++row) matrix_.row_begin[row + 1] += matrix_.row_begin[row];
+  fill_.assign(matrix_.row_begin.begin(), matrix_.row_begin.end() - 1);
+  matrix_.column.resize(edges.size());
+  matrix_.value.resize(edges.size());
+  for (const WeightedEdge& edge : edges) {
+    const auto [column, row] = std::minmax(row_[edge.first], row_[edge.second]);
+    matrix_.column[fill_[row]] = column;
+    matrix_.value[fill_[row]++] = -edge.weight;
+  }
+}
+
+std::uint32_t LaplacianEigensolver::solve_dense(std::span<const WeightedEdge> edges,
+                                                std::uint32_t wanted) {
+  const auto size = static_cast<Eigen::Index>(by_rank_.size());
+  Dense laplacian = Dense::Zero(size, size);
+  for (const WeightedEdge& edge : edges) {
+    const auto [column, row] = std::minmax(row_[edge.first], row_[edge.second]);
+    laplacian(column, column) += edge.weight;
+    laplacian(row, row) += edge.weight;
+    laplacian(row, column) -= edge.weight;
+  }
+  dense_solver_.compute(laplacian);  // looks at the lower triangle only
+  const std::uint32_t count = std::min(wanted, static_cast<std::uint32_t>(size) - 1);
+  vectors_.resize(count * by_rank_.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    for (std::size_t row = 0; row < by_rank_.size(); ++row) {
+      vectors_[k * by_rank_.size() + by_rank_[row]] =
+          dense_solver_.eigenvectors()(static_cast<Eigen::Index>(row), k + 1);
+    }
+  }
+  return count;
+}
+
+std::uint32_t LaplacianEigensolver::solve_sparse(std::span<const WeightedEdge> edges,
+                                                 std::uint32_t wanted) {
+  lay_out_rows(edges);
+  factorisation_.factorise(matrix_);
+  const std::uint32_t count = lanczos_.find(factorisation_, wanted);
+  vectors_.resize(count * by_rank_.size());
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const auto column = lanczos_.column(k);
+    for (std::size_t row = 0; row < by_rank_.size(); ++row) {
+      vectors_[k * by_rank_.size() + by_rank_[row]] = column[row];
+    }
+  }
+  return count;
+}
+
+LaplacianEigensolver::Vectors LaplacianEigensolver::solve(std::span<const std::uint32_t> vertices,
+                                                          std::span<const WeightedEdge> edges,
+                                                          std::uint32_t wanted) {
+  place_in_order(vertices);
+  const std::uint32_t count =
+      vertices.size() <= max_dense ? solve_dense(edges, wanted) : solve_sparse(edges, wanted);
+  return {vectors_.data(), static_cast<Eigen::Index>(vertices.size()),
+          static_cast<Eigen::Index>(count)};
 }
 
 }  // namespace cleave::segmentation

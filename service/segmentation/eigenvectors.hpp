@@ -2,21 +2,55 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "segmentation/elimination_order.hpp"
+#include "segmentation/lanczos.hpp"
+#include "segmentation/sparse_ldl.hpp"
+#include "segmentation/weighted_edge.hpp"
 
 namespace cleave::segmentation {
 
-struct WeightedEdge {
-  std::uint32_t first = 0, second = 0;
-  double weight = 0;
-};
+// For a graph and the connected subgraphs that it is cut into. The same graph gives the same bits;
+// no allocation once warm.
+class LaplacianEigensolver {
+ public:
+  // A row a vertex, in the order of solve()'s argument; a column an eigenvector.
+  using Vectors = Eigen::Map<const Eigen::MatrixXd>;
 
-// Unit eigenvectors, as columns, of the `wanted` smallest eigenvalues of L = D - A (equation 2.11)
-// after the trivial one, ascending; fewer where the graph has no more. For a connected graph of two
-// vertices or more without parallel edges. The same graph gives the same bits.
-[[nodiscard]] Eigen::MatrixXd laplacian_eigenvectors(std::size_t vertices,
-                                                     const std::vector<WeightedEdge>& edges,
-                                                     std::uint32_t wanted);
+  // The whole graph, without loops and parallel edges: what comes after is a part of it.
+  void reset(std::uint32_t vertices, std::span<const WeightedEdge> edges);
+
+  // Unit eigenvectors of the `wanted` (at most 100) smallest eigenvalues of L = D - A (equation
+  // 2.11) after the trivial one, ascending; fewer where the graph has no more. For a connected
+  // subgraph of two vertices or more, named as in the whole. The result is valid until the next
+  // call.
+  [[nodiscard]] Vectors solve(std::span<const std::uint32_t> vertices,
+                              std::span<const WeightedEdge> edges, std::uint32_t wanted);
+
+ private:
+  // Measured: below, the dense solver is faster.
+  static constexpr int max_dense = 24;
+  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_dense, max_dense>;
+
+  void place_in_order(std::span<const std::uint32_t> vertices);
+  void lay_out_rows(std::span<const WeightedEdge> edges);
+  std::uint32_t solve_dense(std::span<const WeightedEdge> edges, std::uint32_t wanted);
+  std::uint32_t solve_sparse(std::span<const WeightedEdge> edges, std::uint32_t wanted);
+
+  EliminationOrder order_;
+  SparseLdl factorisation_;
+  Lanczos lanczos_;
+  Eigen::SelfAdjointEigenSolver<Dense> dense_solver_;
+  std::vector<int> rank_;               // of a vertex of the whole
+  std::vector<std::uint32_t> by_rank_;  // rows of solve()'s argument
+  std::vector<std::uint32_t> row_;      // of the matrix, of a vertex of the whole
+  std::vector<std::uint32_t> fill_;
+  SymmetricRows matrix_;
+  std::vector<double> vectors_;
+};
 
 }  // namespace cleave::segmentation

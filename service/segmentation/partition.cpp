@@ -2,14 +2,13 @@
 
 namespace cleave::segmentation {
 
-Eigen::MatrixXd Partitioner::eigenvectors(const Subgraph& graph, std::uint32_t wanted) {
-  std::uint32_t local = 0;
-  for (const std::uint32_t v : store_.vertices(graph)) local_vertex_[v] = local++;
-  local_edges_.clear();
+LaplacianEigensolver::Vectors Partitioner::eigenvectors(const Subgraph& graph,
+                                                        std::uint32_t wanted) {
+  weighted_edges_.clear();
   for (const CutEdge& edge : store_.edges(graph)) {
-    local_edges_.push_back({local_vertex_[edge.first], local_vertex_[edge.second], edge.weight});
+    weighted_edges_.push_back({edge.first, edge.second, edge.weight});
   }
-  return laplacian_eigenvectors(graph.vertices(), local_edges_, wanted);
+  return eigensolver_.solve(store_.vertices(graph), weighted_edges_, wanted);
 }
 
 // The inner loop, lines 8 to 19. Leaves the parts in uncut_; false if the whole is the only one.
@@ -43,7 +42,11 @@ std::uint32_t Partitioner::partition(std::uint32_t supervoxels,
   const std::uint32_t vertices = coarsener_.coarsen(supervoxels, edges, options.coarsening_rounds);
   segments_ = 0;
   segment_of_vertex_.resize(vertices);
-  local_vertex_.resize(vertices);
+  weighted_edges_.clear();
+  for (const CutEdge& edge : coarsener_.edges()) {
+    weighted_edges_.push_back({edge.first, edge.second, edge.weight});
+  }
+  eigensolver_.reset(vertices, weighted_edges_);
   queue_.clear();
   store_.reset(vertices, coarsener_.edges(), queue_);
 

@@ -21,11 +21,13 @@ class Partitioner {
                           const PartitionOptions& options, std::vector<std::uint32_t>& segment);
 
  private:
-  [[nodiscard]] Eigen::MatrixXd eigenvectors(const Subgraph& graph, std::uint32_t wanted);
+  [[nodiscard]] LaplacianEigensolver::Vectors eigenvectors(const Subgraph& graph,
+                                                           std::uint32_t wanted);
   bool cut_along_orders(const Subgraph& graph, double utility_threshold);
   void finish(const Subgraph& graph);
 
   GraphCoarsener coarsener_;
+  LaplacianEigensolver eigensolver_;
   SubgraphStore store_;
   BestCutFinder best_cut_finder_;
   std::uint32_t segments_ = 0;
@@ -33,8 +35,7 @@ class Partitioner {
   std::vector<Subgraph> queue_;   // Q: subgraphs that are to be decomposed
   std::vector<Subgraph> active_;  // A: parts that are still cut along the current eigenvectors
   std::vector<Subgraph> uncut_;   // parts that the current eigenvectors do not cut any more
-  std::vector<std::uint32_t> local_vertex_;
-  std::vector<WeightedEdge> local_edges_;
+  std::vector<WeightedEdge> weighted_edges_;
 };
 
 }  // namespace cleave::segmentation

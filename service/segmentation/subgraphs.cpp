@@ -40,7 +40,8 @@ std::span<const std::uint32_t> SubgraphStore::order(std::size_t k, const Subgrap
   return {row + graph.vertex_begin, row + graph.vertex_end};
 }
 
-void SubgraphStore::sort_along(const Eigen::MatrixXd& vectors, const Subgraph& graph) {
+void SubgraphStore::sort_along(const Eigen::Ref<const Eigen::MatrixXd>& vectors,
+                               const Subgraph& graph) {
   orders_ = static_cast<std::size_t>(vectors.cols());
   order_.resize(orders_ * vertex_.size());
   keys_.resize(graph.vertices());

@@ -33,7 +33,7 @@ class SubgraphStore {
 
   // Sorts the subgraph's vertices along each column of `vectors`, ties by vertex; row i belongs to
   // vertices(graph)[i]. Parts that it is split into inherit the orders.
-  void sort_along(const Eigen::MatrixXd& vectors, const Subgraph& graph);
+  void sort_along(const Eigen::Ref<const Eigen::MatrixXd>& vectors, const Subgraph& graph);
   [[nodiscard]] std::size_t orders() const { return orders_; }
   [[nodiscard]] std::span<const std::uint32_t> order(std::size_t k, const Subgraph& graph) const;
 
