@@ -4,23 +4,19 @@
 
 namespace cleave::segmentation {
 
-void LabelOrder::order(const std::vector<std::uint32_t>& segment_of_point, std::size_t segments,
+void LabelOrder::order(std::span<const PointRun> runs, std::size_t segments,
                        std::vector<std::uint16_t>& label_of_segment) {
   entries_.assign(segments, Entry{});
-  const auto points = static_cast<std::uint32_t>(segment_of_point.size());
-  for (std::uint32_t i = 0; i < points;) {
-    const std::uint32_t segment = segment_of_point[i];
-    const std::uint32_t begin = i;
-    while (i < points && segment_of_point[i] == segment) ++i;
-    Entry& entry = entries_[segment];
+  for (std::uint32_t r = 0; r < runs.size(); ++r) {
+    Entry& entry = entries_[runs[r].segment];
     if (entry.points == 0) {
-      entry.first_point = begin;
-      entry.segment = segment;
+      entry.first_run = r;
+      entry.segment = runs[r].segment;
     }
-    entry.points += i - begin;
+    entry.points += runs[r].end - runs[r].begin;
   }
   std::sort(entries_.begin(), entries_.end(), [](const Entry& l, const Entry& r) {
-    return l.points != r.points ? l.points > r.points : l.first_point < r.first_point;
+    return l.points != r.points ? l.points > r.points : l.first_run < r.first_run;
   });
 
   label_of_segment.assign(segments, 0);

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
+
+#include "segmentation/point_runs.hpp"
 
 namespace cleave::segmentation {
 
@@ -13,13 +16,13 @@ class LabelOrder {
  public:
   // Label of every segment: 1 for the most points, ties by the lowest point, 0 for none. Beyond
   // max_labels, the smallest segments share the last label.
-  void order(const std::vector<std::uint32_t>& segment_of_point, std::size_t segments,
+  void order(std::span<const PointRun> runs, std::size_t segments,
              std::vector<std::uint16_t>& label_of_segment);
 
  private:
   struct Entry {
     std::uint32_t points = 0;
-    std::uint32_t first_point = 0;
+    std::uint32_t first_run = 0;
     std::uint32_t segment = 0;
   };
   std::vector<Entry> entries_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "segmentation/adjacency.hpp"
@@ -15,11 +16,19 @@ class CellAdjacencyFinder {
   // Two supervoxels are adjacent if a cell of one is linked to a cell of the other. Sorted by
   // (first, second); `touching_voxels` counts links.
   void find(const CellImage& cells, const CellLinks& links,
-            const std::vector<std::uint32_t>& supervoxel, std::vector<AdjacentPair>& pairs);
+            const std::vector<std::uint32_t>& supervoxel, std::size_t supervoxels,
+            std::vector<AdjacentPair>& pairs);
 
  private:
-  std::vector<std::uint64_t> key_;
-  CellRanking ranking_;
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  struct Neighbour {
+    std::uint32_t second = 0, links = 0;
+    std::uint32_t next = none;  // in the list of the same first supervoxel
+  };
+  void count_link(std::uint32_t first, std::uint32_t second);
+
+  std::vector<std::uint32_t> list_;  // of a supervoxel, the latest neighbour; none: empty
+  std::vector<Neighbour> neighbours_;
 };
 
 }  // namespace cleave::segmentation

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "segmentation/multiversion.hpp"
+#include "segmentation/simd.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -30,27 +31,29 @@ struct Claim {
 
 CLEAVE_MULTIVERSION
 void claim_window(const Window& w, const Claim& c, float per_metre, float normal_weight) {
-  const float* __restrict x = w.x;
-  const float* __restrict y = w.y;
-  const float* __restrict z = w.z;
-  const float* __restrict normal_x = w.normal_x;
-  const float* __restrict normal_y = w.normal_y;
-  const float* __restrict normal_z = w.normal_z;
-  float* __restrict distance = w.distance;
-  std::uint32_t* __restrict owner = w.owner;
   for (std::size_t row = 0; row < w.rows; ++row) {
     const std::size_t begin = row * w.stride;
-    for (std::size_t i = begin; i < begin + w.columns; ++i) {
-      const float dx = x[i] - c.x;
-      const float dy = y[i] - c.y;
-      const float dz = z[i] - c.z;
-      const float cosine =
-          normal_x[i] * c.normal_x + normal_y[i] * c.normal_y + normal_z[i] * c.normal_z;
-      const float d =
-          normal_weight * (1 - cosine) + per_metre * std::sqrt(dx * dx + dy * dy + dz * dz);
-      const bool nearer = d < distance[i];
-      distance[i] = nearer ? d : distance[i];
-      owner[i] = nearer ? c.number : owner[i];
+    for (std::size_t i = begin; i < begin + w.columns; i += lanes) {
+      Float8 dx, dy, dz, normal_x, normal_y, normal_z, nearest;
+      Int8 owner;
+      load(w.x + i, dx);
+      load(w.y + i, dy);
+      load(w.z + i, dz);
+      load(w.normal_x + i, normal_x);
+      load(w.normal_y + i, normal_y);
+      load(w.normal_z + i, normal_z);
+      load(w.distance + i, nearest);
+      load(w.owner + i, owner);
+      dx -= c.x;
+      dy -= c.y;
+      dz -= c.z;
+      const Float8 cosine = normal_x * c.normal_x + normal_y * c.normal_y + normal_z * c.normal_z;
+      Float8 length = dx * dx + dy * dy + dz * dz;
+      square_root(length);
+      const Float8 distance = normal_weight * (1 - cosine) + per_metre * length;
+      const Int8 nearer = distance < nearest;
+      store(Float8(nearer ? distance : nearest), w.distance + i);
+      store(Int8(nearer ? Int8{} + static_cast<std::int32_t>(c.number) : owner), w.owner + i);
     }
   }
 }

@@ -139,6 +139,7 @@ std::uint32_t CellFragmentMender::mend(const CellImage& cells, const CellLinks& 
       if (!pieces_[supervoxel[i]].stays) loose_.push_back(i);
     }
   }
+  still_loose_.reserve(loose_.size());  // the two change places
   settle_loose_cells(cells, links, options, supervoxel);
 
   std::uint32_t count = 0;

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "segmentation/multiversion.hpp"
+#include "segmentation/point_set.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
 constexpr float front_layer = 1.015F;  // times the nearest depth in the cell
-constexpr float no_point = std::numeric_limits<float>::infinity();
 
 bool is_measured(const float* p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -31,6 +31,44 @@ float pixel_pitch(const CloudView& cloud) {
     }
   }
   return steps == 0 ? 0 : static_cast<float>(sum / steps);
+}
+
+// Points of a row into planes; returns how many of them no depth camera measures. Inlined, so that
+// the loop is vectorised where the compiler knows the stride.
+inline __attribute__((always_inline)) int split_row(const float* __restrict p, std::size_t stride,
+                                                    std::size_t count, float* __restrict x,
+                                                    float* __restrict y, float* __restrict z) {
+  int refused = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float px = p[i * stride];
+    const float py = p[i * stride + 1];
+    const float pz = p[i * stride + 2];
+    const bool measured = px * 0 + py * 0 + pz * 0 == 0;  // none is infinite or no number
+    const bool sound = (pz > 0) & (pz < max_coordinate_m) & (std::abs(px) < max_coordinate_m) &
+                       (std::abs(py) < max_coordinate_m);
+    x[i] = measured ? px : 0;
+    y[i] = measured ? py : 0;
+    z[i] = measured ? pz : PixelImage::no_depth;
+    refused += (measured & !sound) ? 1 : 0;
+  }
+  return refused;
+}
+
+CLEAVE_MULTIVERSION
+int split_packed_row(const float* p, std::size_t count, float* x, float* y, float* z) {
+  return split_row(p, 3, count, x, y, z);
+}
+
+CLEAVE_MULTIVERSION
+int split_aligned_row(const float* p, std::size_t count, float* x, float* y, float* z) {
+  return split_row(p, 4, count, x, y, z);
+}
+
+int split_row_of(const CloudView& cloud, std::uint32_t row, float* x, float* y, float* z) {
+  const float* p = cloud.point(std::size_t{row} * cloud.width);
+  if (cloud.stride == 3) return split_packed_row(p, cloud.width, x, y, z);
+  if (cloud.stride == 4) return split_aligned_row(p, cloud.width, x, y, z);
+  return split_row(p, cloud.stride, cloud.width, x, y, z);
 }
 
 CLEAVE_MULTIVERSION
@@ -99,7 +137,8 @@ bool grows(const CellImage& cells, const std::vector<float>& coordinate, std::si
 
 }  // namespace
 
-void CellImager::lay_out(const CloudView& cloud, float grid_offset, CellImage& cells) {
+void CellImager::lay_out(const CloudView& cloud, float grid_offset, CellImage& cells,
+                         PixelImage& pixels) {
   const std::uint32_t edge = cells.edge;
   const std::uint32_t positions = edge * edge;
   const auto position = std::min(
@@ -117,51 +156,35 @@ void CellImager::lay_out(const CloudView& cloud, float grid_offset, CellImage& c
   cells.inverse_depth.assign(size, -CellImage::nowhere);
   cells.points.assign(size, 0);
 
-  padded_width_ = cells.columns * edge;
-  for (auto* pixels : {&x_, &y_, &z_}) pixels->resize(std::size_t{padded_width_} * edge);
+  const std::uint32_t padded_width = cells.columns * edge;
   for (auto* column : {&limit_m_, &sum_x_, &sum_y_, &sum_z_, &count_}) {
-    column->resize(padded_width_);
+    column->resize(padded_width);
   }
+  pixels.lay_out({.width = cloud.width,
+                  .height = cloud.height,
+                  .shift_x = cells.shift_x,
+                  .stride = padded_width + 2 * ImageLayout::border});
 }
 
-// Points of an image row into one of the slots; where there are none, z is no_point.
-bool CellImager::load_row(const CloudView& cloud, std::uint32_t row, std::uint32_t slot,
-                          std::uint32_t shift_x, DepthImage& depth_m) {
-  float* x = x_.data() + std::size_t{slot} * padded_width_;
-  float* y = y_.data() + std::size_t{slot} * padded_width_;
-  float* z = z_.data() + std::size_t{slot} * padded_width_;
-  std::fill_n(z, shift_x, no_point);
-  std::fill(z + shift_x + cloud.width, z + padded_width_, no_point);
-  const float* p = cloud.point(std::size_t{row} * cloud.width);
-  float* depth = depth_m.data() + std::size_t{row} * cloud.width;
-  bool all_in_front = true;
-  for (std::uint32_t column = 0; column < cloud.width; ++column, p += cloud.stride) {
-    const bool measured = p[0] * 0 + p[1] * 0 + p[2] * 0 == 0;  // none is infinite or no number
-    x[shift_x + column] = measured ? p[0] : 0;
-    y[shift_x + column] = measured ? p[1] : 0;
-    z[shift_x + column] = measured ? p[2] : no_point;
-    depth[column] = measured ? p[2] : 0;
-    all_in_front = all_in_front & (!measured | (p[2] > 0));
-  }
-  return all_in_front;
-}
-
-void CellImager::sum_front_layer(std::uint32_t slots, const CellImage& cells) {
+void CellImager::sum_front_layer(const PixelImage& pixels, std::uint32_t first_row,
+                                 std::uint32_t rows, const CellImage& cells) {
   const std::uint32_t edge = cells.edge;
-  std::fill(limit_m_.begin(), limit_m_.end(), no_point);
-  for (std::uint32_t slot = 0; slot < slots; ++slot) {
-    take_nearest(z_.data() + std::size_t{slot} * padded_width_, padded_width_, limit_m_.data());
+  const std::size_t width = limit_m_.size();
+  const std::size_t first = pixels.layout.row_begin(first_row) - cells.shift_x;
+  std::fill(limit_m_.begin(), limit_m_.end(), PixelImage::no_depth);
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    take_nearest(&pixels.z[first + row * pixels.layout.stride], width, limit_m_.data());
   }
-  for (float* limit = limit_m_.data(); limit < limit_m_.data() + padded_width_; limit += edge) {
+  for (float* limit = limit_m_.data(); limit < limit_m_.data() + width; limit += edge) {
     const float nearest = *std::min_element(limit, limit + edge);
     // Not infinite, or cells without points would find that all of them are near enough.
     std::fill_n(limit, edge, std::min(nearest * front_layer, std::numeric_limits<float>::max()));
   }
   for (auto* sum : {&sum_x_, &sum_y_, &sum_z_, &count_}) std::fill(sum->begin(), sum->end(), 0.0F);
-  for (std::uint32_t slot = 0; slot < slots; ++slot) {
-    const std::size_t begin = std::size_t{slot} * padded_width_;
-    add_near_points(x_.data() + begin, y_.data() + begin, z_.data() + begin, limit_m_.data(),
-                    padded_width_, sum_x_.data(), sum_y_.data(), sum_z_.data(), count_.data());
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const std::size_t begin = first + row * pixels.layout.stride;
+    add_near_points(&pixels.x[begin], &pixels.y[begin], &pixels.z[begin], limit_m_.data(), width,
+                    sum_x_.data(), sum_y_.data(), sum_z_.data(), count_.data());
   }
 }
 
@@ -178,27 +201,27 @@ void CellImager::store_row(std::uint32_t row, CellImage& cells) const {
 }
 
 bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
-                        DepthImage& depth_m) {
+                        PixelImage& pixels) {
   const float pitch = pixel_pitch(cloud);
   if (!cloud.organised() || !(pitch > 0)) return false;
   const float max_edge = static_cast<float>(std::min(cloud.width, cloud.height));
   cells.edge = static_cast<std::uint32_t>(std::clamp(std::round(size / pitch), 1.0F, max_edge));
   cells.pitch = pitch * static_cast<float>(cells.edge);
-  lay_out(cloud, grid_offset, cells);
-  depth_m.resize(cloud.size());
+  lay_out(cloud, grid_offset, cells, pixels);
 
-  bool all_in_front = true;
+  int refused = 0;
   std::uint32_t next = 0;
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
+    const std::uint32_t first = next;
     const std::uint32_t end = std::min((row + 1) * cells.edge - cells.shift_y, cloud.height);
-    const std::uint32_t slots = end - next;
-    for (std::uint32_t slot = 0; slot < slots; ++slot, ++next) {
-      all_in_front = load_row(cloud, next, slot, cells.shift_x, depth_m) && all_in_front;
+    for (; next < end; ++next) {
+      const std::size_t begin = pixels.layout.row_begin(next);
+      refused += split_row_of(cloud, next, &pixels.x[begin], &pixels.y[begin], &pixels.z[begin]);
     }
-    sum_front_layer(slots, cells);
+    sum_front_layer(pixels, first, end - first, cells);
     store_row(row, cells);
   }
-  return all_in_front && grows(cells, cells.u, 1) && grows(cells, cells.v, cells.stride);
+  return refused == 0 && grows(cells, cells.u, 1) && grows(cells, cells.v, cells.stride);
 }
 
 }  // namespace cleave::segmentation

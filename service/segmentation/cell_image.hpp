@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "segmentation/cloud_view.hpp"
+#include "segmentation/pixel_image.hpp"
 
 namespace cleave::segmentation {
 
@@ -41,30 +42,27 @@ struct CellImage {
   [[nodiscard]] bool occupied(std::size_t cell) const { return points[cell] > 0; }
 };
 
-// Depth of every pixel of the cloud, row-major, metres; 0 = no measurement.
-using DepthImage = std::vector<float>;
-
-// Gathers an organised cloud into cells. Where depths in a cell differ by more than 1.5 percent,
-// only its front layer counts: a mean over two surfaces lies on neither.
+// Gathers an organised cloud into planes of pixels, and these into cells. Where depths in a cell
+// differ by more than 1.5 percent, only its front layer counts: a mean over two surfaces lies on
+// neither.
 class CellImager {
  public:
   // `size`: edge of a cell in units of x/z, rounded to whole pixels. `grid_offset`: 0 to 1, which
-  // of the grid's edge * edge positions in the image. False, with `cells` undefined, if the cloud
-  // is not an image seen from the origin: a point with z <= 0, x/z that does not grow along a row,
-  // y/z that does not grow along a column, or no two cells side by side.
+  // of the grid's edge * edge positions in the image. Leaves `pixels.segment` alone. False, with
+  // `cells` and `pixels` undefined, if the cloud is not an image seen from the origin: a point with
+  // z <= 0 or farther than anything a sensor sees, x/z that does not grow along a row, y/z that
+  // does not grow along a column, or no two cells side by side.
   [[nodiscard]] bool gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
-                            DepthImage& depth_m);
+                            PixelImage& pixels);
 
  private:
-  void lay_out(const CloudView& cloud, float grid_offset, CellImage& cells);
-  [[nodiscard]] bool load_row(const CloudView& cloud, std::uint32_t row, std::uint32_t slot,
-                              std::uint32_t shift_x, DepthImage& depth_m);
-  void sum_front_layer(std::uint32_t slots, const CellImage& cells);
+  void lay_out(const CloudView& cloud, float grid_offset, CellImage& cells, PixelImage& pixels);
+  void sum_front_layer(const PixelImage& pixels, std::uint32_t first_row, std::uint32_t rows,
+                       const CellImage& cells);
   void store_row(std::uint32_t row, CellImage& cells) const;
 
-  std::uint32_t padded_width_ = 0;  // whole cells, shift included
-  std::vector<float> x_, y_, z_;    // the pixel rows of one row of cells; z = infinity: no point
-  std::vector<float> limit_m_, sum_x_, sum_y_, sum_z_, count_;  // a column of pixels in them
+  std::vector<float> limit_m_, sum_x_, sum_y_, sum_z_,
+      count_;  // a column of pixels in a row of cells
 };
 
 }  // namespace cleave::segmentation

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "segmentation/cell_clustering.hpp"
+#include "segmentation/multiversion.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -19,21 +20,27 @@ PixelRange pixels_of(std::uint32_t cell, std::uint32_t edge, std::uint32_t shift
   return {begin > shift ? begin - shift : 0, std::min(begin + edge - shift, size)};
 }
 
+CLEAVE_MULTIVERSION
+void fill_measured(const std::uint32_t* __restrict from, const float* __restrict z,
+                   std::size_t count, std::uint32_t* __restrict segment) {
+  for (std::size_t i = 0; i < count; ++i) {
+    segment[i] = z[i] < PixelImage::no_depth ? from[i] : PixelImage::no_segment;
+  }
+}
+
 }  // namespace
 
-void CellLabeller::fill_rows(const CellImage& cells, std::uint32_t row, SegmentImage& image) {
+void CellLabeller::fill_rows(const CellImage& cells, std::uint32_t row, PixelImage& image) {
   const std::uint32_t* segment = segment_of_cell_.data() + cells.row_begin(row);
   row_.resize(std::size_t{cells.columns} * cells.edge);
   for (std::uint32_t column = 0; column < cells.columns; ++column) {
     std::fill_n(row_.data() + std::size_t{column} * cells.edge, cells.edge, segment[column]);
   }
-  const std::uint32_t* from = row_.data() + cells.shift_x;
-  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.height);
+  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.layout.height);
   for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
-    const std::size_t begin = std::size_t{y} * image.width;
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      image.segment[begin + x] = image.depth_m[begin + x] > 0 ? from[x] : SegmentImage::no_segment;
-    }
+    const std::size_t begin = image.layout.row_begin(y);
+    fill_measured(row_.data() + cells.shift_x, image.z.data() + begin, image.layout.width,
+                  image.segment.data() + begin);
   }
 }
 
@@ -43,7 +50,7 @@ bool CellLabeller::on_border(const CellImage& cells, std::size_t cell) const {
     for (const std::size_t other :
          {cell + static_cast<std::size_t>(step), cell - static_cast<std::size_t>(step)}) {
       const std::uint32_t segment = segment_of_cell_[other];
-      differs |= segment != segment_of_cell_[cell] && segment != SegmentImage::no_segment;
+      differs |= segment != segment_of_cell_[cell] && segment != PixelImage::no_segment;
     }
   }
   return differs;
@@ -83,32 +90,33 @@ std::uint32_t CellLabeller::nearest_plane(const Eigen::Vector3f& point,
   return nearest;
 }
 
-void CellLabeller::refine_row(const CloudView& cloud, const CellImage& cells, std::uint32_t row,
+void CellLabeller::refine_row(const CellImage& cells, std::uint32_t row,
                               const std::vector<std::uint32_t>& supervoxel_of_cell,
                               const std::vector<std::uint32_t>& segment_of_supervoxel,
-                              SegmentImage& image) {
-  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.height);
+                              PixelImage& image) {
+  const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.layout.height);
   for (std::uint32_t column = 0; column < cells.columns; ++column) {
     const std::size_t cell = cells.row_begin(row) + column;
     if (!cells.occupied(cell) || !on_border(cells, cell)) continue;
+    refined_.push_back(static_cast<std::uint32_t>(cell));
     const Candidates candidates = candidates_around(cells, cell, supervoxel_of_cell);
-    const PixelRange columns = pixels_of(column, cells.edge, cells.shift_x, image.width);
+    const PixelRange columns = pixels_of(column, cells.edge, cells.shift_x, image.layout.width);
     for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
-      for (std::uint32_t x = columns.begin; x < columns.end; ++x) {
-        const std::size_t i = std::size_t{y} * image.width + x;
-        if (!(image.depth_m[i] > 0)) continue;
-        const Eigen::Vector3f point = Eigen::Map<const Eigen::Vector3f>(cloud.point(i));
+      const std::size_t begin = image.layout.row_begin(y);
+      for (std::size_t i = begin + columns.begin; i < begin + columns.end; ++i) {
+        if (image.segment[i] == PixelImage::no_segment) continue;
+        const Eigen::Vector3f point(image.x[i], image.y[i], image.z[i]);
         image.segment[i] = segment_of_supervoxel[nearest_plane(point, candidates)];
       }
     }
   }
 }
 
-void CellLabeller::label(const CloudView& cloud, const CellImage& cells,
+void CellLabeller::label(const CellImage& cells,
                          const std::vector<std::uint32_t>& supervoxel_of_cell,
                          const Supervoxels& supervoxels,
                          const std::vector<std::uint32_t>& segment_of_supervoxel, bool refine,
-                         SegmentImage& image) {
+                         PixelImage& image) {
   plane_.resize(supervoxels.size());
   for (std::size_t s = 0; s < supervoxels.size(); ++s) {
     const Surfel& surfel = supervoxels.surfel[s];
@@ -118,17 +126,27 @@ void CellLabeller::label(const CloudView& cloud, const CellImage& cells,
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::uint32_t s = supervoxel_of_cell[i];
     segment_of_cell_[i] =
-        s == CellClusterer::no_owner ? SegmentImage::no_segment : segment_of_supervoxel[s];
+        s == CellClusterer::no_owner ? PixelImage::no_segment : segment_of_supervoxel[s];
   }
-  image.width = cloud.width;
-  image.height = cloud.height;
-  image.segment.resize(cloud.size());
+  refined_.clear();
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     fill_rows(cells, row, image);
-    if (refine) {
-      refine_row(cloud, cells, row, supervoxel_of_cell, segment_of_supervoxel, image);
-    }
+    if (refine) refine_row(cells, row, supervoxel_of_cell, segment_of_supervoxel, image);
   }
+}
+
+void CellLabeller::find_mixed_windows(const CellImage& cells, std::uint32_t radius,
+                                      const PixelImage& image, std::vector<PixelSpan>& spans) {
+  auto& marks = mixed_window_finder_.clear_marks(cells.size());
+  for (const std::uint32_t cell : refined_) marks[cell] = 1;
+  const TileGrid grid{.edge = cells.edge,
+                      .shift_x = cells.shift_x,
+                      .shift_y = cells.shift_y,
+                      .columns = cells.columns,
+                      .rows = cells.rows,
+                      .stride = cells.stride,
+                      .first = cells.row_begin(0)};
+  mixed_window_finder_.find(grid, segment_of_cell_, radius, image.layout, spans);
 }
 
 }  // namespace cleave::segmentation

@@ -6,20 +6,25 @@
 #include <vector>
 
 #include "segmentation/cell_image.hpp"
-#include "segmentation/mode_filter.hpp"
+#include "segmentation/mixed_windows.hpp"
+#include "segmentation/pixel_image.hpp"
 #include "segmentation/supervoxels.hpp"
 
 namespace cleave::segmentation {
 
 class CellLabeller {
  public:
-  // Fills image.segment from image.depth_m (0 = no measurement): each pixel takes the segment of
-  // its cell's supervoxel. With `refine`, a pixel of a cell that has a neighbour in another segment
-  // goes to the supervoxel, of those in the 3x3 cells around, whose plane is nearest.
-  void label(const CloudView& cloud, const CellImage& cells,
-             const std::vector<std::uint32_t>& supervoxel_of_cell, const Supervoxels& supervoxels,
+  // Fills image.segment: each measured pixel takes the segment of its cell's supervoxel. With
+  // `refine`, a pixel of a cell that has a neighbour in another segment goes to the supervoxel, of
+  // those in the 3x3 cells around, whose plane is nearest.
+  void label(const CellImage& cells, const std::vector<std::uint32_t>& supervoxel_of_cell,
+             const Supervoxels& supervoxels,
              const std::vector<std::uint32_t>& segment_of_supervoxel, bool refine,
-             SegmentImage& image);
+             PixelImage& image);
+
+  // Of the last image, for the mode filter.
+  void find_mixed_windows(const CellImage& cells, std::uint32_t radius, const PixelImage& image,
+                          std::vector<PixelSpan>& spans);
 
  private:
   struct Plane {
@@ -30,10 +35,10 @@ class CellLabeller {
     std::array<std::uint32_t, 9> supervoxel;
     std::size_t count = 0;
   };
-  void fill_rows(const CellImage& cells, std::uint32_t row, SegmentImage& image);
-  void refine_row(const CloudView& cloud, const CellImage& cells, std::uint32_t row,
+  void fill_rows(const CellImage& cells, std::uint32_t row, PixelImage& image);
+  void refine_row(const CellImage& cells, std::uint32_t row,
                   const std::vector<std::uint32_t>& supervoxel_of_cell,
-                  const std::vector<std::uint32_t>& segment_of_supervoxel, SegmentImage& image);
+                  const std::vector<std::uint32_t>& segment_of_supervoxel, PixelImage& image);
   [[nodiscard]] bool on_border(const CellImage& cells, std::size_t cell) const;
   [[nodiscard]] Candidates candidates_around(
       const CellImage& cells, std::size_t cell,
@@ -44,6 +49,8 @@ class CellLabeller {
   std::vector<Plane> plane_;                    // of a supervoxel
   std::vector<std::uint32_t> segment_of_cell_;  // no_segment for empty cells
   std::vector<std::uint32_t> row_;              // of pixels, whole cells
+  std::vector<std::uint32_t> refined_;          // cells
+  MixedWindowFinder mixed_window_finder_;
 };
 
 }  // namespace cleave::segmentation

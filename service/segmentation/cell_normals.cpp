@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "segmentation/multiversion.hpp"
+#include "segmentation/simd.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -43,123 +44,114 @@ Neighbours neighbours_of_a_cell(std::uint32_t stride) {
   return neighbours;
 }
 
-// So many cells at a time: their sums stay in the nearest cache.
-constexpr std::size_t block = 32;
+constexpr std::size_t block = 8;  // cells at a time
 static_assert(block <= std::size_t{2} * CellImage::border,
               "a row's last block must end before the next row");
-using Lanes = std::array<float, block>;
-
-// Weighted sums of offsets from the cell in the middle; q = 1/z.
-struct Sums {
-  Lanes w, u, v, q, uu, uv, vv, uq, vq, qq;
-};
 
 // From a block's first cell on.
 struct Planes {
   float *a, *b, *c, *variance;
 };
 
-// Not inlined: GCC vectorises the loop only when it stands alone.
-CLEAVE_MULTIVERSION
-void add_neighbour(const float* __restrict u, const float* __restrict v, const float* __restrict q,
-                   std::ptrdiff_t offset, float weight, float gate, Sums& __restrict sum) {
-  const float* other_u = u + offset;
-  const float* other_v = v + offset;
-  const float* other_q = q + offset;
-  for (std::size_t i = 0; i < block; ++i) {
-    const float du = other_u[i] - u[i];
-    const float dv = other_v[i] - v[i];
-    const float dq = other_q[i] - q[i];
-    const float w = std::abs(dq) < gate * q[i] ? weight : 0;
-    const float wu = w * du;
-    const float wv = w * dv;
-    sum.w[i] += w;
-    sum.u[i] += wu;
-    sum.v[i] += wv;
-    sum.q[i] += w * dq;
-    sum.uu[i] += wu * du;
-    sum.uv[i] += wu * dv;
-    sum.vv[i] += wv * dv;
-    sum.uq[i] += wu * dq;
-    sum.vq[i] += wv * dq;
-    sum.qq[i] += w * dq * dq;
-  }
-}
-
+// Weighted sums of offsets from the cell in the middle; q = 1/z.
 CLEAVE_MULTIVERSION
 void fit_block(const float* u, const float* v, const float* q, const Neighbours& neighbours,
                const Planes& planes) {
-  Sums sum{};
-  sum.w.fill(own_weight);
+  Float8 own_u, own_v, own_q;
+  load(u, own_u);
+  load(v, own_v);
+  load(q, own_q);
+  const Float8 zero = {};
+  Float8 sum_w = zero + own_weight;
+  Float8 sum_u = zero, sum_v = zero, sum_q = zero, sum_uu = zero, sum_uv = zero, sum_vv = zero;
+  Float8 sum_uq = zero, sum_vq = zero, sum_qq = zero;
   for (const auto& [offset, weight, gate] : neighbours) {
-    add_neighbour(u, v, q, offset, weight, gate, sum);
+    Float8 du, dv, dq;
+    load(u + offset, du);
+    load(v + offset, dv);
+    load(q + offset, dq);
+    du -= own_u;
+    dv -= own_v;
+    dq -= own_q;
+    const Float8 limit = gate * own_q;
+    const Float8 w = (dq < limit) & (dq > -limit) ? zero + weight : zero;
+    const Float8 wu = w * du;
+    const Float8 wv = w * dv;
+    sum_w += w;
+    sum_u += wu;
+    sum_v += wv;
+    sum_q += w * dq;
+    sum_uu += wu * du;
+    sum_uv += wu * dv;
+    sum_vv += wv * dv;
+    sum_uq += wu * dq;
+    sum_vq += wv * dq;
+    sum_qq += w * dq * dq;
   }
 
-  Lanes a, b, c, variance;
-  for (std::size_t i = 0; i < block; ++i) {
-    const float share = 1 / sum.w[i];
-    const float mean_u = sum.u[i] * share;
-    const float mean_v = sum.v[i] * share;
-    const float mean_q = sum.q[i] * share;
-    const float uu = sum.uu[i] - sum.u[i] * mean_u;
-    const float uv = sum.uv[i] - sum.u[i] * mean_v;
-    const float vv = sum.vv[i] - sum.v[i] * mean_v;
-    const float uq = sum.uq[i] - sum.q[i] * mean_u;
-    const float vq = sum.vq[i] - sum.q[i] * mean_v;
-    const float qq = sum.qq[i] - sum.q[i] * mean_q;
-    const float determinant = uu * vv - uv * uv;
-    const float trace = uu + vv;
-    const bool spread = determinant > min_spread_ratio * trace * trace;
-    const float scale = 1 / (spread ? determinant : 1.0F);
-    const float slope_u = (uq * vv - vq * uv) * scale;
-    const float slope_v = (vq * uu - uq * uv) * scale;
-    const float residual = (qq - slope_u * uq - slope_v * vq) * share;
-    // (a, b, c) points away from the sensor; (u, v, 1) is the ray through the cell.
-    a[i] = spread ? slope_u : u[i];
-    b[i] = spread ? slope_v : v[i];
-    c[i] = spread ? q[i] + mean_q - slope_u * (u[i] + mean_u) - slope_v * (v[i] + mean_v) : 1.0F;
-    variance[i] = spread ? (residual > 0 ? residual : 0.0F) : no_plane;
-  }
-  std::copy(a.begin(), a.end(), planes.a);
-  std::copy(b.begin(), b.end(), planes.b);
-  std::copy(c.begin(), c.end(), planes.c);
-  std::copy(variance.begin(), variance.end(), planes.variance);
+  const Float8 share = 1 / sum_w;
+  const Float8 mean_u = sum_u * share;
+  const Float8 mean_v = sum_v * share;
+  const Float8 mean_q = sum_q * share;
+  const Float8 uu = sum_uu - sum_u * mean_u;
+  const Float8 uv = sum_uv - sum_u * mean_v;
+  const Float8 vv = sum_vv - sum_v * mean_v;
+  const Float8 uq = sum_uq - sum_q * mean_u;
+  const Float8 vq = sum_vq - sum_q * mean_v;
+  const Float8 qq = sum_qq - sum_q * mean_q;
+  const Float8 determinant = uu * vv - uv * uv;
+  const Float8 trace = uu + vv;
+  const Int8 spread = determinant > min_spread_ratio * trace * trace;
+  const Float8 scale = 1 / (spread ? determinant : zero + 1);
+  const Float8 slope_u = (uq * vv - vq * uv) * scale;
+  const Float8 slope_v = (vq * uu - uq * uv) * scale;
+  const Float8 residual = (qq - slope_u * uq - slope_v * vq) * share;
+  const Float8 at_sensor = own_q + mean_q - slope_u * (own_u + mean_u) - slope_v * (own_v + mean_v);
+  // (a, b, c) points away from the sensor; (u, v, 1) is the ray through the cell.
+  const Float8 a = spread ? slope_u : own_u;
+  const Float8 b = spread ? slope_v : own_v;
+  const Float8 c = spread ? at_sensor : zero + 1;
+  const Float8 variance = spread ? (residual > 0 ? residual : zero) : zero + no_plane;
+  store(a, planes.a);
+  store(b, planes.b);
+  store(c, planes.c);
+  store(variance, planes.variance);
 }
 
 using Steps = std::array<std::ptrdiff_t, 8>;
 
 CLEAVE_MULTIVERSION
-void choose_block(const float* u, const float* v, const float* q, const Steps& steps,
-                  const Planes& planes, float* __restrict normal_x, float* __restrict normal_y,
-                  float* __restrict normal_z) {
-  Lanes a, b, c, best;
-  for (std::size_t i = 0; i < block; ++i) {
-    a[i] = planes.a[i];
-    b[i] = planes.b[i];
-    c[i] = planes.c[i];
-    best[i] = planes.variance[i] + variance_floor;
-  }
+void choose_block(const float* from_u, const float* from_v, const float* from_q, const Steps& steps,
+                  const Planes& planes, float* normal_x, float* normal_y, float* normal_z) {
+  Float8 u, v, q, a, b, c, best;
+  load(from_u, u);
+  load(from_v, v);
+  load(from_q, q);
+  load(planes.a, a);
+  load(planes.b, b);
+  load(planes.c, c);
+  load(planes.variance, best);
+  best += variance_floor;
   for (const std::ptrdiff_t step : steps) {
-    const float* other_a = planes.a + step;
-    const float* other_b = planes.b + step;
-    const float* other_c = planes.c + step;
-    const float* other_variance = planes.variance + step;
-    for (std::size_t i = 0; i < block; ++i) {
-      const float miss = other_a[i] * u[i] + other_b[i] * v[i] + other_c[i] - q[i];
-      const float cost = foreign_penalty * (other_variance[i] + miss * miss + variance_floor);
-      const bool better = cost < best[i];
-      best[i] = better ? cost : best[i];
-      a[i] = better ? other_a[i] : a[i];
-      b[i] = better ? other_b[i] : b[i];
-      c[i] = better ? other_c[i] : c[i];
-    }
+    Float8 other_a, other_b, other_c, other_variance;
+    load(planes.a + step, other_a);
+    load(planes.b + step, other_b);
+    load(planes.c + step, other_c);
+    load(planes.variance + step, other_variance);
+    const Float8 miss = other_a * u + other_b * v + other_c - q;
+    const Float8 cost = foreign_penalty * (other_variance + miss * miss + variance_floor);
+    const Int8 better = cost < best;
+    best = better ? cost : best;
+    a = better ? other_a : a;
+    b = better ? other_b : b;
+    c = better ? other_c : c;
   }
-  for (std::size_t i = 0; i < block; ++i) {
-    const float towards = -1 / std::sqrt(a[i] * a[i] + b[i] * b[i] + c[i] * c[i]);
-    normal_x[i] = a[i] * towards;
-    normal_y[i] = b[i] * towards;
-    normal_z[i] = c[i] * towards;
-  }
+  Float8 length = a * a + b * b + c * c;
+  square_root(length);
+  const Float8 towards = -1 / length;
+  store(Float8(a * towards), normal_x);
+  store(Float8(b * towards), normal_y);
+  store(Float8(c * towards), normal_z);
 }
 
 }  // namespace

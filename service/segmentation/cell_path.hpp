@@ -1,6 +1,7 @@
 // The steps of the segmentation on cells of an image, where the cloud is one.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "segmentation/cell_adjacency.hpp"
@@ -11,7 +12,11 @@
 #include "segmentation/cell_links.hpp"
 #include "segmentation/cell_normals.hpp"
 #include "segmentation/cell_supervoxels.hpp"
+#include "segmentation/mode_filter.hpp"
 #include "segmentation/options.hpp"
+#include "segmentation/pixel_image.hpp"
+#include "segmentation/point_runs.hpp"
+#include "segmentation/surface.hpp"
 
 namespace cleave::segmentation {
 
@@ -22,15 +27,18 @@ class CellPath {
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
   void estimate_normals();
   void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
-  void find_adjacent_pairs(std::vector<AdjacentPair>& pairs);
-  void label_points(const CloudView& cloud, const Supervoxels& supervoxels,
+  void find_adjacent_pairs(const Supervoxels& supervoxels, std::vector<AdjacentPair>& pairs);
+  void label_points(const Supervoxels& supervoxels,
                     const std::vector<std::uint32_t>& segment_of_supervoxel,
                     const RefineOptions& options);
 
-  // Segment of every pixel.
-  [[nodiscard]] const SegmentImage& image() const { return image_; }
-  // The occupied cells as a grid's voxels, for what works on either.
-  void list_as_voxels(const PointSet& points, VoxelGrid& grid, std::vector<Surfel>& voxels);
+  [[nodiscard]] SegmentedPoints points() const;
+  // Labels by the cloud's points; those of points that were not measured are left alone.
+  void write_labels(const std::vector<std::uint16_t>& label_of_segment,
+                    std::span<std::uint16_t> labels) const;
+  // A patch an occupied cell, in the segment of the pixel in its middle.
+  void list_surface(const std::vector<std::uint32_t>& segment_of_supervoxel,
+                    Surface& surface) const;
 
  private:
   CellImager imager_;
@@ -43,11 +51,12 @@ class CellPath {
   ModeFilter mode_filter_;
 
   CellImage cells_;
-  SegmentImage image_;
+  PixelImage pixels_;
   CellLinks links_;
   std::vector<std::uint32_t> owner_;
   std::vector<std::uint32_t> supervoxel_of_cell_;
-  std::vector<std::uint32_t> voxel_of_cell_, cell_of_column_;
+  std::vector<PixelSpan> mixed_;
+  std::vector<PointRun> runs_;
 };
 
 }  // namespace cleave::segmentation

@@ -27,7 +27,7 @@ std::uint32_t GraphCoarsener::root(std::uint32_t supervoxel) {
 
 void GraphCoarsener::match(const std::vector<SupervoxelEdge>& edges) {
   std::fill(is_matched_.begin(), is_matched_.end(), std::uint8_t{0});
-  for (const std::uint32_t e : smooth_) {
+  for (const auto& [cosine, e] : smooth_) {
     const std::uint32_t a = root(edges[e].first);
     const std::uint32_t b = root(edges[e].second);
     if (a == b || is_matched_[a] != 0 || is_matched_[b] != 0) continue;
@@ -80,10 +80,10 @@ std::uint32_t GraphCoarsener::coarsen(std::uint32_t supervoxels,
   is_matched_.resize(supervoxels);
   smooth_.clear();
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
-    if (is_smooth(edges[e])) smooth_.push_back(e);
+    if (is_smooth(edges[e])) smooth_.push_back({edges[e].cosine, e});
   }
-  std::sort(smooth_.begin(), smooth_.end(), [&](std::uint32_t l, std::uint32_t r) {
-    return edges[l].cosine > edges[r].cosine || (edges[l].cosine == edges[r].cosine && l < r);
+  std::sort(smooth_.begin(), smooth_.end(), [](const SmoothEdge& l, const SmoothEdge& r) {
+    return l.cosine > r.cosine || (l.cosine == r.cosine && l.edge < r.edge);
   });
   for (std::uint32_t round = 0; round < rounds; ++round) match(edges);
   const std::uint32_t vertices = number_vertices();

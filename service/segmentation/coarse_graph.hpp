@@ -32,7 +32,11 @@ class GraphCoarsener {
   std::uint32_t root(std::uint32_t supervoxel);
 
   CellRanking ranking_;
-  std::vector<std::uint32_t> smooth_;     // edges, straightest first
+  struct SmoothEdge {
+    float cosine;
+    std::uint32_t edge;
+  };
+  std::vector<SmoothEdge> smooth_;        // straightest first
   std::vector<std::uint32_t> parent_;     // union-find; the lowest supervoxel is the root
   std::vector<std::uint8_t> is_matched_;  // in this round
   std::vector<std::uint32_t> vertex_;

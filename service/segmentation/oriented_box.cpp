@@ -103,8 +103,9 @@ OrientedBox make_box(const Eigen::Matrix3f& axes, const Eigen::Vector3f& low,
                      const Eigen::Vector3f& high) {
   const Eigen::Vector3f extent = high - low;
   std::array<int, 3> by_extent = {0, 1, 2};
-  std::stable_sort(by_extent.begin(), by_extent.end(),
-                   [&](int l, int r) { return extent[l] > extent[r]; });
+  std::sort(by_extent.begin(), by_extent.end(), [&](int l, int r) {
+    return extent[l] > extent[r] || (extent[l] == extent[r] && l < r);
+  });
   Eigen::Matrix3f sorted;
   OrientedBox box;
   for (int i = 0; i < 3; ++i) {

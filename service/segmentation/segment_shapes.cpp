@@ -10,27 +10,11 @@
 namespace cleave::segmentation {
 namespace {
 
-// So many voxels, evenly picked, tell how a segment's box is turned.
+// So many patches, evenly picked, tell how a segment's box is turned.
 constexpr std::uint32_t max_sample = 512;
 
-Eigen::Vector3f point_at(const PointSet& points, std::size_t i) {
-  return {points.x[i], points.y[i], points.z[i]};
-}
-
-using Label = std::uint16_t;
-
-// Neighbouring points mostly have one label. Calls work(label, first, end) for each such run in
-// [begin, end): what it sums up can stay in registers.
-template <typename Work>
-void for_label_runs(const std::vector<Label>& label_of_point, std::size_t begin, std::size_t end,
-                    Work&& work) {
-  while (begin < end) {
-    const Label label = label_of_point[begin];
-    std::size_t next = begin + 1;
-    while (next < end && label_of_point[next] == label) ++next;
-    work(label, begin, next);
-    begin = next;
-  }
+PointRange range_of(const SegmentedPoints& points, const PointRun& run) {
+  return {points.x + run.begin, points.y + run.begin, points.z + run.begin, run.end - run.begin};
 }
 
 Eigen::Matrix3f principal_axes(const Moments& moments) {
@@ -41,109 +25,74 @@ Eigen::Matrix3f principal_axes(const Moments& moments) {
 
 }  // namespace
 
-void ShapeDescriber::sum_up(const PointSet& points, const VoxelGrid& grid,
-                            const std::vector<Surfel>& voxels,
-                            const std::vector<std::uint16_t>& label_of_point) {
-  const std::size_t labels = *std::max_element(label_of_point.begin(), label_of_point.end());
+void ShapeDescriber::sum_up(const SegmentedPoints& points,
+                            const std::vector<std::uint16_t>& label_of_segment) {
+  const std::size_t labels = *std::max_element(label_of_segment.begin(), label_of_segment.end());
   shapes_.assign(labels, Shape{});
-  for_label_runs(label_of_point, 0, points.size(),
-                 [&](Label label, std::size_t i, std::size_t end) {
-                   Moments sum;
-                   for (; i < end; ++i) sum.add_point(points.x[i], points.y[i], points.z[i]);
-                   shapes_[label - 1U].moments += sum;
-                 });
-  for (std::size_t run = 0; run < grid.runs(); ++run) {
-    const Eigen::Vector3f& normal = voxels[grid.run_voxel[run]].normal;
-    for_label_runs(label_of_point, grid.run_begin[run], grid.run_begin[run + 1],
-                   [&](Label label, std::size_t begin, std::size_t end) {
-                     shapes_[label - 1U].normal_sum += normal * static_cast<float>(end - begin);
-                   });
+  for (const PointRun& run : *points.runs) {
+    Shape& shape = shapes_[label_of_segment[run.segment] - 1U];
+    shape.sums.add(range_of(points, run));
+    shape.left = std::min(shape.left, run.left);
+    shape.right = std::max(shape.right, run.right);
+    shape.top = std::min(shape.top, run.row);
+    shape.bottom = run.row + 1;
   }
 }
 
-void ShapeDescriber::find_rectangles(const CloudView& cloud, const PointSet& points,
-                                     const std::vector<std::uint16_t>& label_of_point) {
-  std::size_t begin = 0;
-  for (std::uint32_t row = 0; row < cloud.height; ++row) {
-    const std::uint32_t row_begin = row * cloud.width;
-    std::size_t end = begin;
-    while (end < points.size() && points.index[end] - row_begin < cloud.width) ++end;
-    for_label_runs(label_of_point, begin, end,
-                   [&](Label label, std::size_t first, std::size_t next) {
-                     Shape& shape = shapes_[label - 1U];
-                     shape.left = std::min(shape.left, points.index[first] - row_begin);
-                     shape.right = std::max(shape.right, points.index[next - 1] - row_begin);
-                     shape.top = std::min(shape.top, row);
-                     shape.bottom = row;
-                   });
-    begin = end;
+void ShapeDescriber::group_surface(const Surface& surface,
+                                   const std::vector<std::uint16_t>& label_of_segment) {
+  // Label 0: the refinement has left the segment no point.
+  patch_begin_.assign(shapes_.size() + 1, 0);
+  for (std::size_t i = 0; i < surface.segment.size(); ++i) {
+    const std::uint16_t label = label_of_segment[surface.segment[i]];
+    if (label == 0) continue;
+    ++patch_begin_[label - 1U];
+    shapes_[label - 1U].normal_sum += surface.points[i] * surface.surfel[i].normal;
   }
-}
-
-void ShapeDescriber::group_voxels(const VoxelGrid& grid,
-                                  const std::vector<std::uint16_t>& label_of_point) {
-  label_of_voxel_.resize(grid.size());
-  for (std::size_t run = 0; run < grid.runs(); ++run) {
-    label_of_voxel_[grid.run_voxel[run]] = label_of_point[grid.run_begin[run]];
-  }
-  voxel_begin_.assign(shapes_.size() + 1, 0);
-  for (const std::uint16_t label : label_of_voxel_) ++voxel_begin_[label - 1U];
   std::uint32_t end = 0;
-  for (std::uint32_t& row : voxel_begin_) row = end += row;
-  voxel_.resize(end);
-  for (auto v = static_cast<std::uint32_t>(grid.size()); v-- > 0;) {
-    voxel_[--voxel_begin_[label_of_voxel_[v] - 1U]] = v;
+  for (std::uint32_t& row : patch_begin_) row = end += row;
+  patch_.resize(end);
+  for (auto i = static_cast<std::uint32_t>(surface.segment.size()); i-- > 0;) {
+    const std::uint16_t label = label_of_segment[surface.segment[i]];
+    if (label != 0) patch_[--patch_begin_[label - 1U]] = i;
   }
 }
 
-void ShapeDescriber::choose_axes(const std::vector<Surfel>& voxels) {
+void ShapeDescriber::aim(const Surface& surface, float plane_distance_m) {
   for (std::size_t s = 0; s < shapes_.size(); ++s) {
     Shape& shape = shapes_[s];
-    const Eigen::Matrix3f principal = principal_axes(shape.moments);
+    shape.moments = shape.sums.total();
     shape.centroid = shape.moments.mean().cast<float>();
-    shape.plane_normal = fit_normal(shape.moments);
-
-    const std::uint32_t count = voxel_begin_[s + 1] - voxel_begin_[s];
-    const std::uint32_t step = count / max_sample + 1;
+    shape.box_axes = principal_axes(shape.moments);
+    const std::uint32_t step = (patch_begin_[s + 1] - patch_begin_[s]) / max_sample + 1;
     sample_.clear();
-    for (std::uint32_t i = voxel_begin_[s]; i < voxel_begin_[s + 1]; i += step) {
-      sample_.push_back(voxels[voxel_[i]]);
+    for (std::uint32_t i = patch_begin_[s]; i < patch_begin_[s + 1]; i += step) {
+      sample_.push_back(surface.surfel[patch_[i]]);
     }
-    const std::array<Eigen::Vector3f, 4> candidates = {principal.col(0), principal.col(1),
-                                                       principal.col(2), dominant_normal(sample_)};
-    shape.box_axes = box_axes(sample_, candidates);
-    shape.low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
-    shape.high = -shape.low;
+    if (!sample_.empty()) {
+      const std::array<Eigen::Vector3f, 4> candidates = {
+          shape.box_axes.col(0), shape.box_axes.col(1), shape.box_axes.col(2),
+          dominant_normal(sample_)};
+      shape.box_axes = box_axes(sample_, candidates);
+    }
+    shape.extent.aim(shape.box_axes, fit_normal(shape.moments), shape.centroid, plane_distance_m);
   }
 }
 
-void ShapeDescriber::measure(const PointSet& points,
-                             const std::vector<std::uint16_t>& label_of_point,
-                             float plane_distance_m) {
-  for_label_runs(label_of_point, 0, points.size(),
-                 [&](Label label, std::size_t i, std::size_t end) {
-                   Shape shape = shapes_[label - 1U];
-                   for (; i < end; ++i) {
-                     const Eigen::Vector3f p = point_at(points, i);
-                     const Eigen::Vector3f along = shape.box_axes.transpose() * p;
-                     shape.low = shape.low.cwiseMin(along);
-                     shape.high = shape.high.cwiseMax(along);
-                     const float distance_m = std::abs(shape.plane_normal.dot(p - shape.centroid));
-                     shape.points_on_plane += distance_m <= plane_distance_m ? 1 : 0;
-                   }
-                   shapes_[label - 1U] = shape;
-                 });
+void ShapeDescriber::measure(const SegmentedPoints& points,
+                             const std::vector<std::uint16_t>& label_of_segment) {
+  for (const PointRun& run : *points.runs) {
+    shapes_[label_of_segment[run.segment] - 1U].extent.add(range_of(points, run));
+  }
 }
 
-void ShapeDescriber::describe(const CloudView& cloud, const PointSet& points, const VoxelGrid& grid,
-                              const std::vector<Surfel>& voxels,
-                              const std::vector<std::uint16_t>& label_of_point,
+void ShapeDescriber::describe(const SegmentedPoints& points, const Surface& surface, bool organised,
+                              const std::vector<std::uint16_t>& label_of_segment,
                               const DescribeOptions& options, std::vector<Segment>& segments) {
-  sum_up(points, grid, voxels, label_of_point);
-  if (cloud.organised()) find_rectangles(cloud, points, label_of_point);
-  group_voxels(grid, label_of_point);
-  choose_axes(voxels);
-  measure(points, label_of_point, options.plane_distance_m);
+  sum_up(points, label_of_segment);
+  group_surface(surface, label_of_segment);
+  aim(surface, options.plane_distance_m);
+  measure(points, label_of_segment);
 
   segments.resize(shapes_.size());
   for (std::size_t s = 0; s < shapes_.size(); ++s) {
@@ -153,13 +102,11 @@ void ShapeDescriber::describe(const CloudView& cloud, const PointSet& points, co
     segment.point_count = static_cast<std::uint32_t>(shape.moments.n);
     segment.centroid = shape.centroid;
     segment.mean_normal = unit_or_towards_sensor(shape.normal_sum, shape.centroid);
-    segment.box = make_box(shape.box_axes, shape.low, shape.high);
+    segment.box = make_box(shape.box_axes, shape.extent.low(), shape.extent.high());
     segment.rectangle = {};
-    if (cloud.organised()) {
-      segment.rectangle = {shape.left, shape.top, shape.right + 1, shape.bottom + 1};
-    }
-    segment.planarity =
-        static_cast<float>(shape.points_on_plane) / static_cast<float>(segment.point_count);
+    if (organised) segment.rectangle = {shape.left, shape.top, shape.right, shape.bottom};
+    segment.planarity = static_cast<float>(shape.extent.points_on_plane()) /
+                        static_cast<float>(segment.point_count);
   }
 }
 

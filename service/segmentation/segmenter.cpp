@@ -3,149 +3,85 @@
 #include <algorithm>
 #include <limits>
 
-#include "segmentation/adjacency.hpp"
-#include "segmentation/boundary_refinement.hpp"
 #include "segmentation/canonical_labels.hpp"
 #include "segmentation/cell_path.hpp"
 #include "segmentation/clean_up.hpp"
-#include "segmentation/mode_filter.hpp"
-#include "segmentation/normals.hpp"
 #include "segmentation/option_checks.hpp"
 #include "segmentation/partition.hpp"
-#include "segmentation/point_set.hpp"
 #include "segmentation/segment_borders.hpp"
 #include "segmentation/segment_shapes.hpp"
-#include "segmentation/supervoxel_clustering.hpp"
 #include "segmentation/supervoxel_graph.hpp"
-#include "segmentation/supervoxels.hpp"
-#include "segmentation/voxel_grid.hpp"
-#include "segmentation/voxel_neighbours.hpp"
+#include "segmentation/voxel_path.hpp"
 
 namespace cleave::segmentation {
 
 // The steps, and what they hand on. A step overwrites all of its output: nothing of a frame is left
 // for the next but memory.
 struct Segmenter::Workspace {
-  Voxeliser voxeliser;
-  NormalEstimator normal_estimator;
-  SupervoxelClusterer clusterer;
-  SupervoxelFitter fitter;
-  AdjacencyFinder adjacency_finder;
+  VoxelPath voxel_path;
+  CellPath cell_path;
   Partitioner partitioner;
   SmallSegmentMerger merger;
-  BoundaryRefiner boundary_refiner;
-  ModeFilter mode_filter;
   LabelOrder label_order;
-  CellPath cell_path;
   ShapeDescriber shape_describer;
   BorderDescriber border_describer;
 
-  PointSet points;
   bool on_cells = false;  // or else on voxels
-  VoxelGrid grid;
-  NeighbourLists neighbours;   // of voxels
-  std::vector<Surfel> voxels;  // of the grid
   Supervoxels supervoxels;
   std::vector<AdjacentPair> adjacent_pairs;
   std::vector<SupervoxelEdge> edges;
   std::uint32_t segments = 0;
-  std::vector<std::uint32_t> segment_of_supervoxel, segment_of_point;
-  std::vector<std::uint16_t> label_of_segment, label_of_point;
-  SegmentImage image;
+  std::vector<std::uint32_t> segment_of_supervoxel;
+  std::vector<std::uint16_t> label_of_segment;
+  Surface surface;
 
-  void voxelise(const CloudView& cloud, const Options& options);
+  bool gather(const CloudView& cloud, const Options& options);
   void estimate_normals();
   void cluster_supervoxels(const SupervoxelOptions& options);
   void build_graph(const GraphOptions& options);
   void label_points(const CloudView& cloud, const RefineOptions& options,
                     std::span<std::uint16_t> labels);
-  void label_voxels(const CloudView& cloud, const RefineOptions& options);
-  void filter_image(const CloudView& cloud, const RefineOptions& options);
   void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
+  [[nodiscard]] SegmentedPoints points() const {
+    return on_cells ? cell_path.points() : voxel_path.points();
+  }
 };
 
-void Segmenter::Workspace::voxelise(const CloudView& cloud, const Options& options) {
+bool Segmenter::Workspace::gather(const CloudView& cloud, const Options& options) {
   on_cells =
       options.representation == Representation::cells && cell_path.gather(cloud, options.voxel);
-  if (on_cells) return;
-  voxeliser.voxelise(points, options.voxel, grid);
-  find_voxel_neighbours(grid, neighbours);
+  return on_cells || voxel_path.gather(cloud, options.voxel);
 }
 
 void Segmenter::Workspace::estimate_normals() {
-  if (on_cells) return cell_path.estimate_normals();
-  normal_estimator.estimate(grid.centroid, neighbours, voxels);
+  on_cells ? cell_path.estimate_normals() : voxel_path.estimate_normals();
 }
 
 void Segmenter::Workspace::cluster_supervoxels(const SupervoxelOptions& options) {
-  if (on_cells) return cell_path.cluster(options, supervoxels);
-  const std::uint32_t count = clusterer.cluster(voxels, neighbours, options, supervoxels.of_voxel);
-  fitter.fit(grid, voxels, count, options.refit_from_points, supervoxels);
+  on_cells ? cell_path.cluster(options, supervoxels) : voxel_path.cluster(options, supervoxels);
 }
 
 void Segmenter::Workspace::build_graph(const GraphOptions& options) {
-  if (on_cells) {
-    cell_path.find_adjacent_pairs(adjacent_pairs);
-  } else {
-    adjacency_finder.find(supervoxels.of_voxel, neighbours, adjacent_pairs);
-  }
+  on_cells ? cell_path.find_adjacent_pairs(supervoxels, adjacent_pairs)
+           : voxel_path.find_adjacent_pairs(supervoxels, adjacent_pairs);
   build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, options, edges);
-}
-
-void Segmenter::Workspace::filter_image(const CloudView& cloud, const RefineOptions& options) {
-  image.width = cloud.width;
-  image.height = cloud.height;
-  image.segment.assign(cloud.size(), SegmentImage::no_segment);
-  image.depth_m.assign(cloud.size(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    image.segment[points.index[i]] = segment_of_point[i];
-    image.depth_m[points.index[i]] = points.z[i];
-  }
-  mode_filter.filter(image, options.mode_filter_radius, options.mode_filter_depth_gate_m);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    segment_of_point[i] = image.segment[points.index[i]];
-  }
-}
-
-void Segmenter::Workspace::label_voxels(const CloudView& cloud, const RefineOptions& options) {
-  for (std::size_t run = 0; run < grid.runs(); ++run) {
-    const std::uint32_t supervoxel = supervoxels.of_voxel[grid.run_voxel[run]];
-    std::fill(segment_of_point.begin() + grid.run_begin[run],
-              segment_of_point.begin() + grid.run_begin[run + 1],
-              segment_of_supervoxel[supervoxel]);
-  }
-  if (options.boundary) {
-    boundary_refiner.refine(points, grid, neighbours, supervoxels, segment_of_supervoxel,
-                            segment_of_point);
-  }
-  if (options.mode_filter_radius > 0 && cloud.organised()) filter_image(cloud, options);
 }
 
 void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
                                         std::span<std::uint16_t> labels) {
-  segment_of_point.resize(points.size());
-  if (on_cells) {
-    cell_path.label_points(cloud, supervoxels, segment_of_supervoxel, options);
-    const auto& segment = cell_path.image().segment;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      segment_of_point[i] = segment[points.index[i]];
-    }
-  } else {
-    label_voxels(cloud, options);
-  }
-
-  label_order.order(segment_of_point, segments, label_of_segment);
-  label_of_point.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    label_of_point[i] = label_of_segment[segment_of_point[i]];
-    labels[points.index[i]] = label_of_point[i];
-  }
+  on_cells ? cell_path.label_points(supervoxels, segment_of_supervoxel, options)
+           : voxel_path.label_points(cloud, supervoxels, segment_of_supervoxel, options);
+  label_order.order(*points().runs, segments, label_of_segment);
+  on_cells ? cell_path.write_labels(label_of_segment, labels)
+           : voxel_path.write_labels(label_of_segment, labels);
 }
 
 void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOptions& options,
                                     Segmentation& result) {
-  if (on_cells) cell_path.list_as_voxels(points, grid, voxels);
-  shape_describer.describe(cloud, points, grid, voxels, label_of_point, options, result.segments);
+  on_cells ? cell_path.list_surface(segment_of_supervoxel, surface)
+           : voxel_path.list_surface(surface);
+  shape_describer.describe(points(), surface, cloud.organised(), label_of_segment, options,
+                           result.segments);
   border_describer.describe(edges, segment_of_supervoxel, label_of_segment, result.borders);
 }
 
@@ -176,10 +112,8 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   result.segments.clear();
   result.borders.clear();
   if (!has_sound_sizes(cloud, labels.size())) return Outcome::bad_size;
-  gather_finite_points(cloud, w.points);
-  if (w.points.size() == 0) return Outcome::no_finite_point;
 
-  w.voxelise(cloud, options_);
+  if (!w.gather(cloud, options_)) return Outcome::no_finite_point;
   ended(Stage::voxelise);
 
   w.estimate_normals();

@@ -8,8 +8,12 @@ namespace {
 using Labels = std::vector<std::uint16_t>;
 
 Labels order(const std::vector<std::uint32_t>& segment_of_point, std::size_t segments) {
+  std::vector<PointRun> runs;
+  for (std::uint32_t i = 0; i < segment_of_point.size(); ++i) {
+    runs.push_back({.segment = segment_of_point[i], .begin = i, .end = i + 1});
+  }
   Labels labels;
-  LabelOrder().order(segment_of_point, segments, labels);
+  LabelOrder().order(runs, segments, labels);
   return labels;
 }
 

@@ -14,9 +14,9 @@ constexpr float size = 0.006F;  // three pixels of the scene
 TEST(CellImager, TakesTheMeanOfTheFrontLayer) {
   const DepthScene scene(1);
   CellImage cells;
-  DepthImage depth_m;
+  PixelImage pixels;
 
-  ASSERT_TRUE(CellImager().gather(scene.view(), size, 0.5F, cells, depth_m));
+  ASSERT_TRUE(CellImager().gather(scene.view(), size, 0.5F, cells, pixels));
 
   ASSERT_EQ(cells.edge, 3U);
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
@@ -50,24 +50,52 @@ TEST(CellImager, TakesTheMeanOfTheFrontLayer) {
   }
 }
 
-TEST(CellImager, KeepsTheDepthOfEveryPixel) {
+TEST(CellImager, KeepsThePointOfEveryPixel) {
   const DepthScene scene(2);
   CellImage cells;
-  DepthImage depth_m;
+  PixelImage pixels;
 
-  ASSERT_TRUE(CellImager().gather(scene.view(), size, 0, cells, depth_m));
+  for (const float offset : {0.0F, 0.5F}) {
+    ASSERT_TRUE(CellImager().gather(scene.view(), size, offset, cells, pixels));
 
-  for (std::size_t i = 0; i < depth_m.size(); ++i) {
-    const float z = scene.view().point(i)[2];
-    EXPECT_EQ(depth_m[i], std::isfinite(z) ? z : 0);
+    for (std::uint32_t y = 0; y < scene.height; ++y) {
+      for (std::uint32_t x = 0; x < scene.width; ++x) {
+        const float* p = scene.view().point(std::size_t{y} * scene.width + x);
+        const std::size_t i = pixels.layout.row_begin(y) + x;
+        EXPECT_EQ(pixels.z[i], std::isfinite(p[2]) ? p[2] : PixelImage::no_depth);
+        EXPECT_EQ(pixels.x[i], std::isfinite(p[2]) ? p[0] : 0);
+        EXPECT_EQ(pixels.y[i], std::isfinite(p[2]) ? p[1] : 0);
+      }
+    }
+  }
+}
+
+TEST(CellImager, ReadsPointsAnyNumberOfFloatsApart) {
+  const DepthScene scene(2);
+  CellImage cells;
+  PixelImage packed;
+  ASSERT_TRUE(CellImager().gather(scene.view(), size, 0, cells, packed));
+  for (const std::size_t stride : {4U, 7U}) {
+    std::vector<float> xyz(scene.view().size() * stride, -5);
+    for (std::size_t i = 0; i < scene.view().size(); ++i) {
+      std::copy_n(scene.view().point(i), 3, xyz.data() + i * stride);
+    }
+    PixelImage apart;
+
+    ASSERT_TRUE(CellImager().gather({xyz.data(), stride, scene.width, scene.height}, size, 0, cells,
+                                    apart));
+
+    EXPECT_EQ(apart.x, packed.x);
+    EXPECT_EQ(apart.y, packed.y);
+    EXPECT_EQ(apart.z, packed.z);
   }
 }
 
 TEST(CellImager, RefusesWhatIsNotAnImageFromTheOrigin) {
   CellImage cells;
-  DepthImage depth_m;
+  PixelImage pixels;
   const auto accepts = [&](const DepthScene& scene) {
-    return CellImager().gather(scene.view(), size, 0, cells, depth_m);
+    return CellImager().gather(scene.view(), size, 0, cells, pixels);
   };
 
   DepthScene unorganised(3);
@@ -79,6 +107,11 @@ TEST(CellImager, RefusesWhatIsNotAnImageFromTheOrigin) {
   behind.xyz[3 * 5000 + 2] = -1;
   behind.xyz[3 * 5000] = behind.xyz[3 * 5000 + 1] = 0;
   EXPECT_FALSE(accepts(behind));
+
+  DepthScene boundless(3);
+  boundless.xyz[3 * 5000 + 2] = 1e30F;
+  boundless.xyz[3 * 5000] = boundless.xyz[3 * 5000 + 1] = 0;
+  EXPECT_FALSE(accepts(boundless));
 
   DepthScene mirrored(3);
   for (std::size_t i = 0; i < mirrored.xyz.size(); i += 3) mirrored.xyz[i] = -mirrored.xyz[i];

@@ -22,14 +22,14 @@ constexpr std::uint32_t no_owner = CellClusterer::no_owner;
 struct Cells {
   CellImage image;
   CellLinks links;
-  DepthImage depth_m;
+  PixelImage pixels;
   std::vector<std::size_t> occupied;
   std::vector<std::uint32_t> supervoxel;
   std::uint32_t supervoxels = 0;
 
   explicit Cells(unsigned seed) {
     const DepthScene scene(seed);
-    EXPECT_TRUE(CellImager().gather(scene.view(), 0.006F, 0, image, depth_m));
+    EXPECT_TRUE(CellImager().gather(scene.view(), 0.006F, 0, image, pixels));
     CellNormalEstimator().estimate(image);
     link_cells(image, links);
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -207,7 +207,7 @@ TEST(CellAdjacencyFinder, FindsWhatBruteForceFinds) {
   const Cells cells(9);
   std::vector<AdjacentPair> pairs;
 
-  CellAdjacencyFinder().find(cells.image, cells.links, cells.supervoxel, pairs);
+  CellAdjacencyFinder().find(cells.image, cells.links, cells.supervoxel, cells.supervoxels, pairs);
 
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> expected;
   for (const std::size_t i : cells.occupied) {

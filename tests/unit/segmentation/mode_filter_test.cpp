@@ -8,72 +8,122 @@
 namespace cleave::segmentation {
 namespace {
 
-std::vector<std::uint32_t> naive_filter(const SegmentImage& image, int radius, float gate_m) {
-  auto result = image.segment;
-  const int width = static_cast<int>(image.width);
-  const int height = static_cast<int>(image.height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const auto at = [&](int column, int row) {
-        return static_cast<std::size_t>(row) * image.width + static_cast<std::size_t>(column);
-      };
-      const std::uint32_t own = image.segment[at(x, y)];
-      if (own == SegmentImage::no_segment) continue;
+using Segments = std::vector<std::uint32_t>;
+
+Segments inside(const PixelImage& image) {
+  Segments segments;
+  for (std::uint32_t y = 0; y < image.layout.height; ++y) {
+    const auto row = image.segment.begin() + static_cast<std::ptrdiff_t>(image.layout.row_begin(y));
+    segments.insert(segments.end(), row, row + image.layout.width);
+  }
+  return segments;
+}
+
+Segments naive_filter(const PixelImage& image, std::uint32_t radius, float gate_m) {
+  Segments result;
+  const auto [width, height, shift, stride] = image.layout;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) {
+      const std::size_t middle = image.layout.row_begin(y) + x;
+      result.push_back(image.segment[middle]);
+      if (result.back() == PixelImage::no_segment) continue;
       std::map<std::uint32_t, int> count;
-      for (int v = std::max(0, y - radius); v <= std::min(height - 1, y + radius); ++v) {
-        for (int u = std::max(0, x - radius); u <= std::min(width - 1, x + radius); ++u) {
-          const std::size_t i = at(u, v);
-          if (image.segment[i] == SegmentImage::no_segment) continue;
-          if (std::abs(image.depth_m[i] - image.depth_m[at(x, y)]) > gate_m) continue;
+      for (std::uint32_t v = y - std::min(y, radius); v < std::min(height, y + radius + 1); ++v) {
+        for (std::uint32_t u = x - std::min(x, radius); u < std::min(width, x + radius + 1); ++u) {
+          const std::size_t i = image.layout.row_begin(v) + u;
+          if (image.segment[i] == PixelImage::no_segment) continue;
+          if (std::abs(image.z[i] - image.z[middle]) > gate_m) continue;
           ++count[image.segment[i]];
         }
       }
-      std::uint32_t mode = own;
       for (const auto& [segment, pixels] : count) {
-        if (pixels > count[mode]) mode = segment;
+        if (pixels > count[result.back()]) result.back() = segment;
       }
-      result[at(x, y)] = mode;
     }
   }
   return result;
 }
 
-SegmentImage random_image(unsigned seed) {
+PixelImage empty_image(std::uint32_t width, std::uint32_t height) {
+  PixelImage image;
+  image.lay_out(
+      {.width = width, .height = height, .shift_x = 0, .stride = width + 2 * ImageLayout::border});
+  return image;
+}
+
+// Tiles with noise and holes.
+PixelImage random_image(unsigned seed) {
   std::mt19937 random(seed);
-  SegmentImage image{.width = 61, .height = 47, .segment = {}, .depth_m = {}};
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      std::uint32_t segment = x / 17 + 10 * (y / 19);  // tiles with noise and holes
-      if (random() % 12 == 0) segment = static_cast<std::uint32_t>(random() % 40);
-      if (random() % 9 == 0) segment = SegmentImage::no_segment;
-      image.segment.push_back(segment);
-      image.depth_m.push_back(1 + 0.01F * static_cast<float>(random() % 4));
+  PixelImage image = empty_image(61, 47);
+  for (std::uint32_t y = 0; y < image.layout.height; ++y) {
+    for (std::uint32_t x = 0; x < image.layout.width; ++x) {
+      if (random() % 9 == 0) continue;
+      const std::size_t i = image.layout.row_begin(y) + x;
+      image.segment[i] = x / 17 + 10 * (y / 19);
+      if (random() % 12 == 0) image.segment[i] = static_cast<std::uint32_t>(random() % 40);
+      image.z[i] = 1 + 0.01F * static_cast<float>(random() % 4);
     }
   }
   return image;
 }
 
+void filter(PixelImage& image, std::uint32_t radius) {
+  MixedWindowFinder finder;
+  std::vector<PixelSpan> mixed;
+  finder.clear_marks(image.layout.size());
+  finder.find({.edge = 1,
+               .columns = image.layout.width,
+               .rows = image.layout.height,
+               .stride = image.layout.stride,
+               .first = image.layout.row_begin(0)},
+              image.segment, radius, image.layout, mixed);
+  ModeFilter().filter(image, mixed, radius, 0.02F);
+}
+
 TEST(ModeFilter, DoesWhatTheNaiveFilterDoes) {
-  ModeFilter filter;
   for (unsigned seed = 0; seed < 5; ++seed) {
-    for (const std::uint32_t radius : {1U, 4U}) {
-      SegmentImage image = random_image(seed);
-      const auto expected = naive_filter(image, static_cast<int>(radius), 0.02F);
+    for (const std::uint32_t radius : {1U, 4U, 20U}) {
+      PixelImage image = random_image(seed);
+      const auto expected = naive_filter(image, radius, 0.02F);
 
-      filter.filter(image, radius, 0.02F);
+      filter(image, radius);
 
-      EXPECT_EQ(image.segment, expected);
+      EXPECT_EQ(inside(image), expected);
     }
   }
 }
 
+// Of few segments and many holes, so that most windows hold one segment.
+TEST(ModeFilter, MissesNoWindowWithTwoSegments) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    PixelImage image = empty_image(50, 40);
+    for (int k = 0; k < 60; ++k) {
+      const std::size_t i =
+          image.layout.row_begin(static_cast<std::uint32_t>(random() % 40)) + random() % 50;
+      image.segment[i] = static_cast<std::uint32_t>(random() % 2);
+      image.z[i] = 1;
+    }
+    const auto expected = naive_filter(image, 4, 0.02F);
+
+    filter(image, 4);
+
+    EXPECT_EQ(inside(image), expected);
+  }
+}
+
 TEST(ModeFilter, TakesAWindowLargerThanTheImage) {
-  SegmentImage image{.width = 3, .height = 2, .segment = {1, 1, 2, 1, 1, 1}, .depth_m = {}};
-  image.depth_m.assign(6, 1);
+  PixelImage image = empty_image(3, 2);
+  for (std::uint32_t y = 0; y < 2; ++y) {
+    for (std::uint32_t x = 0; x < 3; ++x) {
+      image.segment[image.layout.row_begin(y) + x] = x == 2 && y == 0 ? 2 : 1;
+      image.z[image.layout.row_begin(y) + x] = 1;
+    }
+  }
 
-  ModeFilter().filter(image, 20, 0.02F);
+  filter(image, 20);
 
-  EXPECT_EQ(image.segment, std::vector<std::uint32_t>(6, 1));
+  EXPECT_EQ(inside(image), Segments(6, 1));
 }
 
 }  // namespace

@@ -1,0 +1,106 @@
+#include "segmentation/voxel_path.hpp"
+
+#include <algorithm>
+
+#include "segmentation/voxel_neighbours.hpp"
+
+namespace cleave::segmentation {
+
+bool VoxelPath::gather(const CloudView& cloud, const VoxelOptions& options) {
+  gather_finite_points(cloud, points_);
+  if (points_.size() == 0) return false;
+  voxeliser_.voxelise(points_, options, grid_);
+  find_voxel_neighbours(grid_, neighbours_);
+  return true;
+}
+
+void VoxelPath::estimate_normals() {
+  normal_estimator_.estimate(grid_.centroid, neighbours_, voxels_);
+}
+
+void VoxelPath::cluster(const SupervoxelOptions& options, Supervoxels& supervoxels) {
+  const std::uint32_t count =
+      clusterer_.cluster(voxels_, neighbours_, options, supervoxels.of_voxel);
+  fitter_.fit(grid_, voxels_, count, options.refit_from_points, supervoxels);
+}
+
+void VoxelPath::find_adjacent_pairs(const Supervoxels& supervoxels,
+                                    std::vector<AdjacentPair>& pairs) {
+  adjacency_finder_.find(supervoxels.of_voxel, neighbours_, pairs);
+}
+
+void VoxelPath::filter_image(const CloudView& cloud, const RefineOptions& options) {
+  image_.lay_out({.width = cloud.width,
+                  .height = cloud.height,
+                  .shift_x = 0,
+                  .stride = cloud.width + 2 * ImageLayout::border});
+  std::fill(image_.z.begin(), image_.z.end(), PixelImage::no_depth);
+  std::fill(image_.segment.begin(), image_.segment.end(), PixelImage::no_segment);
+  const auto for_each_point = [&](auto&& work) {
+    for (const PointRun& run : runs_) {
+      const std::size_t row = image_.layout.row_begin(run.row) - std::size_t{run.row} * cloud.width;
+      for (std::size_t i = run.begin; i < run.end; ++i) work(i, row + points_.index[i]);
+    }
+  };
+  list_runs(points_, segment_of_point_, cloud.width, runs_);
+  for_each_point([&](std::size_t point, std::size_t pixel) {
+    image_.segment[pixel] = segment_of_point_[point];
+    image_.z[pixel] = points_.z[point];
+  });
+  mixed_window_finder_.clear_marks(image_.layout.size());
+  mixed_window_finder_.find({.edge = 1,
+                             .shift_x = 0,
+                             .shift_y = 0,
+                             .columns = cloud.width,
+                             .rows = cloud.height,
+                             .stride = image_.layout.stride,
+                             .first = image_.layout.row_begin(0)},
+                            image_.segment, options.mode_filter_radius, image_.layout, mixed_);
+  mode_filter_.filter(image_, mixed_, options.mode_filter_radius, options.mode_filter_depth_gate_m);
+  for_each_point([&](std::size_t point, std::size_t pixel) {
+    segment_of_point_[point] = image_.segment[pixel];
+  });
+}
+
+void VoxelPath::label_points(const CloudView& cloud, const Supervoxels& supervoxels,
+                             const std::vector<std::uint32_t>& segment_of_supervoxel,
+                             const RefineOptions& options) {
+  segment_of_point_.resize(points_.size());
+  for (std::size_t run = 0; run < grid_.runs(); ++run) {
+    const std::uint32_t supervoxel = supervoxels.of_voxel[grid_.run_voxel[run]];
+    std::fill(segment_of_point_.begin() + grid_.run_begin[run],
+              segment_of_point_.begin() + grid_.run_begin[run + 1],
+              segment_of_supervoxel[supervoxel]);
+  }
+  if (options.boundary) {
+    boundary_refiner_.refine(points_, grid_, neighbours_, supervoxels, segment_of_supervoxel,
+                             segment_of_point_);
+  }
+  if (options.mode_filter_radius > 0 && cloud.organised()) filter_image(cloud, options);
+  list_runs(points_, segment_of_point_, cloud.width, runs_);
+}
+
+SegmentedPoints VoxelPath::points() const {
+  return {points_.x.data(), points_.y.data(), points_.z.data(), &runs_};
+}
+
+void VoxelPath::write_labels(const std::vector<std::uint16_t>& label_of_segment,
+                             std::span<std::uint16_t> labels) const {
+  for (const PointRun& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      labels[points_.index[i]] = label_of_segment[run.segment];
+    }
+  }
+}
+
+void VoxelPath::list_surface(Surface& surface) const {
+  surface.clear();
+  for (std::size_t v = 0; v < grid_.size(); ++v) {
+    surface.add(voxels_[v], 0, static_cast<float>(grid_.moments[v].n));
+  }
+  for (std::size_t run = 0; run < grid_.runs(); ++run) {
+    surface.segment[grid_.run_voxel[run]] = segment_of_point_[grid_.run_begin[run]];
+  }
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,63 @@
+// The steps of the segmentation on voxels, for any cloud.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "segmentation/adjacency.hpp"
+#include "segmentation/boundary_refinement.hpp"
+#include "segmentation/cloud_view.hpp"
+#include "segmentation/mode_filter.hpp"
+#include "segmentation/normals.hpp"
+#include "segmentation/options.hpp"
+#include "segmentation/point_runs.hpp"
+#include "segmentation/point_set.hpp"
+#include "segmentation/supervoxel_clustering.hpp"
+#include "segmentation/supervoxels.hpp"
+#include "segmentation/surface.hpp"
+#include "segmentation/voxel_grid.hpp"
+
+namespace cleave::segmentation {
+
+// Each step needs those before it.
+class VoxelPath {
+ public:
+  // False if no point is finite.
+  [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
+  void estimate_normals();
+  void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
+  void find_adjacent_pairs(const Supervoxels& supervoxels, std::vector<AdjacentPair>& pairs);
+  void label_points(const CloudView& cloud, const Supervoxels& supervoxels,
+                    const std::vector<std::uint32_t>& segment_of_supervoxel,
+                    const RefineOptions& options);
+
+  [[nodiscard]] SegmentedPoints points() const;
+  // Labels by the cloud's points; those of points that were not measured are left alone.
+  void write_labels(const std::vector<std::uint16_t>& label_of_segment,
+                    std::span<std::uint16_t> labels) const;
+  // A patch a voxel, in the segment of one of its points.
+  void list_surface(Surface& surface) const;
+
+ private:
+  void filter_image(const CloudView& cloud, const RefineOptions& options);
+
+  Voxeliser voxeliser_;
+  NormalEstimator normal_estimator_;
+  SupervoxelClusterer clusterer_;
+  SupervoxelFitter fitter_;
+  AdjacencyFinder adjacency_finder_;
+  BoundaryRefiner boundary_refiner_;
+  MixedWindowFinder mixed_window_finder_;
+  ModeFilter mode_filter_;
+
+  PointSet points_;
+  VoxelGrid grid_;
+  NeighbourLists neighbours_;   // of voxels
+  std::vector<Surfel> voxels_;  // of the grid
+  std::vector<std::uint32_t> segment_of_point_;
+  std::vector<PointRun> runs_;
+  PixelImage image_;  // depths and segments only
+  std::vector<PixelSpan> mixed_;
+};
+
+}  // namespace cleave::segmentation
