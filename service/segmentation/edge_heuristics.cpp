@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "segmentation/portable_math.hpp"
+
 namespace cleave::segmentation {
 namespace {
 
@@ -32,21 +34,22 @@ float meeting_angle_rad(const Surfel& i, const Surfel& j) {
   const Eigen::Vector3f d = j.position - i.position;
   const float lengths = s.norm() * d.norm();
   if (s.norm() < min_sine || !(lengths > 0)) return std::numbers::pi_v<float> / 2;
-  return std::acos(std::min(std::abs(s.dot(d)) / lengths, 1.0F));
+  return static_cast<float>(portable::acos(std::min(std::abs(s.dot(d)) / lengths, 1.0F)));
 }
 
 float least_meeting_angle_rad(float beta_rad, const GraphOptions& options) {
-  return options.validity_max_rad /
-         (1 + std::exp(-options.validity_slope * (beta_rad - options.validity_offset_rad)));
+  const float exponent = -options.validity_slope * (beta_rad - options.validity_offset_rad);
+  return static_cast<float>(options.validity_max_rad / (1 + portable::exp(exponent)));
 }
 
 bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options) {
-  const float beta_rad = std::acos(cos_angle(i, j));
+  const auto beta_rad = static_cast<float>(portable::acos(cos_angle(i, j)));
   return meeting_angle_rad(i, j) > least_meeting_angle_rad(beta_rad, options);
 }
 
-bool is_cannot_link(float weight, const GraphOptions& options) {
-  return weight < concave_weight(std::cos(options.cannot_link_rad), options.weight_sigma);
+float cannot_link_weight(const GraphOptions& options) {
+  const auto least_cosine = static_cast<float>(portable::cos(options.cannot_link_rad));
+  return concave_weight(least_cosine, options.weight_sigma);
 }
 
 }  // namespace cleave::segmentation

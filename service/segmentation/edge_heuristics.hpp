@@ -25,7 +25,8 @@ namespace cleave::segmentation {
 // Equation 4.6: false where two surfaces only happen to touch in a point.
 [[nodiscard]] bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options);
 
-// Equation 4.7, with the threshold on the weight given as the angle of a concave edge.
-[[nodiscard]] bool is_cannot_link(float weight, const GraphOptions& options);
+// The threshold of equation 4.7, given as the angle of a concave edge: below it an edge is
+// cannot-link.
+[[nodiscard]] float cannot_link_weight(const GraphOptions& options);
 
 }  // namespace cleave::segmentation

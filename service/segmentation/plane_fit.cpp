@@ -3,20 +3,29 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "segmentation/portable_math.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
 // Smallest eigenvalue of a symmetric matrix whose largest element is 1, in closed form
-// (O. K. Smith, "Eigenvalues of a symmetric 3 x 3 matrix", CACM 1961).
+// (O. K. Smith, "Eigenvalues of a symmetric 3 x 3 matrix", CACM 1961), with two of Newton's steps.
 double smallest_eigenvalue(const Eigen::Matrix3d& a) {
-  constexpr double third_of_a_turn = 2.0943951023931953;
+  constexpr double thirty_degrees_rad = std::numbers::pi / 6;
+  constexpr double double_root = 1e-6;
   const double mean = a.trace() / 3;
   const Eigen::Matrix3d b = a - mean * Eigen::Matrix3d::Identity();
   const double p = std::sqrt(b.squaredNorm() / 6);
   if (p == 0) return mean;
   const double half_determinant = std::clamp(b.determinant() / (2 * p * p * p), -1.0, 1.0);
-  return mean + 2 * p * std::cos(std::acos(half_determinant) / 3 + third_of_a_turn);
+  double root = -2 * portable::sin(portable::acos(half_determinant) / 3 + thirty_degrees_rad);
+  for (int step = 0; step < 2; ++step) {
+    const double slope = 3 * (root * root - 1);
+    if (slope > double_root) root -= (root * (root * root - 3) - 2 * half_determinant) / slope;
+  }
+  return mean + p * root;
 }
 
 }  // namespace

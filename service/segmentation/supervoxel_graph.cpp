@@ -7,6 +7,7 @@ namespace cleave::segmentation {
 void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                             const std::vector<Surfel>& supervoxels, const GraphOptions& options,
                             std::vector<SupervoxelEdge>& edges) {
+  const float least_weight = cannot_link_weight(options);
   edges.clear();
   for (const AdjacentPair& pair : pairs) {
     const Surfel& i = supervoxels[pair.first];
@@ -19,7 +20,7 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                      .cosine = i.normal.dot(j.normal),
                      .convex = is_convex(i, j),
                      .valid = is_valid(i, j, options),
-                     .cannot_link = is_cannot_link(weight, options)});
+                     .cannot_link = weight < least_weight});
   }
 }
 

@@ -1,7 +1,8 @@
 #include "segmentation/voxel_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "segmentation/portable_math.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -49,7 +50,7 @@ void Voxeliser::find_cells(const PointSet& points, const VoxelOptions& options) 
       const float depth = std::max(points.z[i], min_depth_m);
       cell_[0][i] = cell_of(points.x[i] / depth * per_cell + shift_x);
       cell_[1][i] = cell_of(points.y[i] / depth * per_cell + shift_y);
-      cell_[2][i] = cell_of(std::log(depth) * per_cell + shift_z);
+      cell_[2][i] = cell_of(portable::log(depth) * per_cell + shift_z);
     }
   } else {
     for (std::size_t i = 0; i < n; ++i) {

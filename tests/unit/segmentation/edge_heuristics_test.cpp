@@ -81,7 +81,7 @@ TEST(Equation4_6, RefusesPatchesThatTouchInAPoint) {
 TEST(Equation4_7, ForbidsToLinkAcrossConcaveEdgesAboveTheThreshold) {
   const GraphOptions options{.cannot_link_rad = 45 * degree_rad};
   const auto cannot_link = [&](const Crease& crease) {
-    return is_cannot_link(edge_weight(crease.left, crease.right, options), options);
+    return edge_weight(crease.left, crease.right, options) < cannot_link_weight(options);
   };
 
   EXPECT_FALSE(cannot_link(Crease(44, false)));
