@@ -10,6 +10,9 @@ namespace cleave::segmentation {
 namespace {
 
 constexpr float front_layer = 1.015F;  // times the nearest depth in the cell
+// A point that is far off where its pixel looks stands alone and does no harm; of so many cells,
+// one may hold such points.
+constexpr std::uint32_t cells_a_stray = 1000;
 
 bool is_measured(const float* p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -33,25 +36,28 @@ float pixel_pitch(const CloudView& cloud) {
   return steps == 0 ? 0 : static_cast<float>(sum / steps);
 }
 
-// Points of a row into planes; returns how many of them no depth camera measures. Inlined, so that
-// the loop is vectorised where the compiler knows the stride.
+inline float within_bounds(float coordinate) {
+  const float low = coordinate > -max_coordinate_m ? coordinate : -max_coordinate_m;
+  return low < max_coordinate_m ? low : max_coordinate_m;
+}
+
+// Points of a row into planes; returns how many of them are not in front of the sensor. Inlined, so
+// that the loop is vectorised where the compiler knows the stride.
 inline __attribute__((always_inline)) int split_row(const float* __restrict p, std::size_t stride,
                                                     std::size_t count, float* __restrict x,
                                                     float* __restrict y, float* __restrict z) {
-  int refused = 0;
+  int behind = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const float px = p[i * stride];
     const float py = p[i * stride + 1];
     const float pz = p[i * stride + 2];
     const bool measured = px * 0 + py * 0 + pz * 0 == 0;  // none is infinite or no number
-    const bool sound = (pz > 0) & (pz < max_coordinate_m) & (std::abs(px) < max_coordinate_m) &
-                       (std::abs(py) < max_coordinate_m);
-    x[i] = measured ? px : 0;
-    y[i] = measured ? py : 0;
-    z[i] = measured ? pz : PixelImage::no_depth;
-    refused += (measured & !sound) ? 1 : 0;
+    x[i] = measured ? within_bounds(px) : 0;
+    y[i] = measured ? within_bounds(py) : 0;
+    z[i] = measured ? within_bounds(pz) : PixelImage::no_depth;
+    behind += (measured & !(pz > 0)) ? 1 : 0;
   }
-  return refused;
+  return behind;
 }
 
 CLEAVE_MULTIVERSION
@@ -122,17 +128,18 @@ void sums_to_means(std::size_t count, const float* __restrict points, float* __r
   }
 }
 
-// Does a coordinate grow from every occupied cell to the next one `step` away?
-bool grows(const CellImage& cells, const std::vector<float>& coordinate, std::size_t step) {
-  bool grows = true;
+// From how many occupied cells does a coordinate not grow to the next one `step` away?
+std::uint32_t backward_steps(const CellImage& cells, const std::vector<float>& coordinate,
+                             std::size_t step) {
+  std::uint32_t backward = 0;
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::size_t begin = cells.row_begin(row);
     for (std::size_t i = begin; i < begin + cells.columns; ++i) {
       const bool both = (cells.points[i] > 0) & (cells.points[i + step] > 0);
-      grows &= !both | (coordinate[i] < coordinate[i + step]);
+      backward += (both & !(coordinate[i] < coordinate[i + step])) ? 1U : 0U;
     }
   }
-  return grows;
+  return backward;
 }
 
 }  // namespace
@@ -209,19 +216,21 @@ bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, C
   cells.pitch = pitch * static_cast<float>(cells.edge);
   lay_out(cloud, grid_offset, cells, pixels);
 
-  int refused = 0;
+  int behind = 0;
   std::uint32_t next = 0;
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::uint32_t first = next;
     const std::uint32_t end = std::min((row + 1) * cells.edge - cells.shift_y, cloud.height);
     for (; next < end; ++next) {
       const std::size_t begin = pixels.layout.row_begin(next);
-      refused += split_row_of(cloud, next, &pixels.x[begin], &pixels.y[begin], &pixels.z[begin]);
+      behind += split_row_of(cloud, next, &pixels.x[begin], &pixels.y[begin], &pixels.z[begin]);
     }
     sum_front_layer(pixels, first, end - first, cells);
     store_row(row, cells);
   }
-  return refused == 0 && grows(cells, cells.u, 1) && grows(cells, cells.v, cells.stride);
+  const std::uint32_t allowed = cells.columns * cells.rows / cells_a_stray;
+  return behind == 0 && backward_steps(cells, cells.u, 1) <= allowed &&
+         backward_steps(cells, cells.v, cells.stride) <= allowed;
 }
 
 }  // namespace cleave::segmentation

@@ -50,8 +50,8 @@ class CellImager {
   // `size`: edge of a cell in units of x/z, rounded to whole pixels. `grid_offset`: 0 to 1, which
   // of the grid's edge * edge positions in the image. Leaves `pixels.segment` alone. False, with
   // `cells` and `pixels` undefined, if the cloud is not an image seen from the origin: a point with
-  // z <= 0 or farther than anything a sensor sees, x/z that does not grow along a row, y/z that
-  // does not grow along a column, or no two cells side by side.
+  // z <= 0, no two pixels side by side, or, but for a few stray points, x/z that does not grow
+  // along rows or y/z that does not along columns.
   [[nodiscard]] bool gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
                             PixelImage& pixels);
 

@@ -31,9 +31,8 @@ void visit_options(Options& options, Visitor&& visitor) {
   choice("algorithm", options.algorithm, std::array{Names("ssc")},
          "ssc: Spectral Supervoxel Clustering");
 
-  choice("representation", options.representation,
-         std::array{Names("automatic"), Names("cells"), Names("voxels")},
-         "cells: of an image, fast; voxels: of any cloud; automatic: voxels");
+  choice("representation", options.representation, std::array{Names("cells"), Names("voxels")},
+         "cells: of an image, fast, voxels where the cloud is none; voxels: of any cloud");
 
   auto& voxel = options.voxel;
   visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");

@@ -48,8 +48,9 @@ struct Segmenter::Workspace {
 };
 
 bool Segmenter::Workspace::gather(const CloudView& cloud, const Options& options) {
-  on_cells =
-      options.representation == Representation::cells && cell_path.gather(cloud, options.voxel);
+  on_cells = options.representation == Representation::cells &&
+             options.voxel.viewpoint != Viewpoint::multiple &&
+             cell_path.gather(cloud, options.voxel);
   return on_cells || voxel_path.gather(cloud, options.voxel);
 }
 

@@ -19,12 +19,15 @@ Segmenter segmenter_for(Representation representation) {
   return Segmenter(options);
 }
 
-TEST(CellPath, IsNotTakenUnlessAskedFor) {
+TEST(CellPath, IsNotTakenForCloudsFromSeveralViewpoints) {
   const DepthScene scene(11);
-  Segmenter automatic = segmenter_for(Representation::automatic);
-  Segmenter voxels = segmenter_for(Representation::voxels);
+  Options options;
+  options.voxel.viewpoint = Viewpoint::multiple;
+  Segmenter cells(options);
+  options.representation = Representation::voxels;
+  Segmenter voxels(options);
 
-  EXPECT_EQ(labels_of(automatic, scene), labels_of(voxels, scene));
+  EXPECT_EQ(labels_of(cells, scene), labels_of(voxels, scene));
 }
 
 TEST(CellPath, LeavesOtherCloudsToTheVoxels) {
