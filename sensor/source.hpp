@@ -29,6 +29,7 @@ struct Frame {
   std::uint64_t device_time_us = 0;  // the sensor's own clock; 0 where there is none
   // The first frame after a restart of the recording or of the sensor's clock.
   bool begins_epoch = false;
+  std::int64_t arrival_time_ns = 0;  // CLOCK_MONOTONIC; the grabber's, not the source's, to set
 };
 
 enum class Poll {

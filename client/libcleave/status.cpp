@@ -1,6 +1,7 @@
 #include "libcleave/status.hpp"
 
 #include <array>
+#include <ctime>
 #include <vector>
 
 namespace cleave {
@@ -64,8 +65,16 @@ NodeReport report_of(const NodeStatus& status) {
   r.latency_median_ms = status.latency_median_ms;
   r.latency_p90_ms = status.latency_p90_ms;
   r.latency_p99_ms = status.latency_p99_ms;
+  r.cpu_time_s = status.cpu_time_s;
   r.last_error = status.last_error;
   return r;
+}
+
+double cpu_time_s() {
+  constexpr double ns_per_s = 1e9;
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / ns_per_s;
 }
 
 void StatusPublisher::publish(const NodeReport& r) {
@@ -91,6 +100,7 @@ void StatusPublisher::publish(const NodeReport& r) {
   status.latency_median_ms = r.latency_median_ms;
   status.latency_p90_ms = r.latency_p90_ms;
   status.latency_p99_ms = r.latency_p99_ms;
+  status.cpu_time_s = r.cpu_time_s;
   status.last_error = text(r.last_error);
   // A status that is lost is followed by the next one; the writer logs why.
   (void)writer_.publish(status);

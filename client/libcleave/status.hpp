@@ -35,10 +35,14 @@ struct NodeReport {
   float latency_median_ms = 0;
   float latency_p90_ms = 0;
   float latency_p99_ms = 0;
+  double cpu_time_s = 0;  // of the process, since its start
   std::string last_error;
 };
 
 [[nodiscard]] NodeReport report_of(const NodeStatus& status);
+
+// Of this process, user and system, since its start.
+[[nodiscard]] double cpu_time_s();
 
 class StatusPublisher {
  public:

@@ -24,6 +24,7 @@ Publication CloudPublisher::publish(const Frame& frame, FrameKey key, Source& so
   header.frame_id = key.frame_id;
   header.epoch = key.epoch;
   header.capture_time_ns = frame.capture_time_ns;
+  header.arrival_time_ns = frame.arrival_time_ns;
   header.device_time_us = frame.device_time_us;
   header.width = frame.width;
   header.height = frame.height;

@@ -128,6 +128,7 @@ void Grabber::take_frame() {
   Frame frame;
   switch (source_.next(tick, frame)) {
     case Poll::frame:
+      frame.arrival_time_ns = monotonic_now_ns();
       if (frame.begins_epoch) book_.begin_epoch();
       pacer_.advance(Clock::now());
       handle(frame);

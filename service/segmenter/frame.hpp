@@ -31,6 +31,7 @@ struct Frame {
 // Waiting for the frames before it to be published.
 struct FinishedFrame {
   FrameHeader header{};
+  std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
   std::optional<RejectCause> rejected;
   FrameQueue<Frame>::Place place;     // lets the next frame in when this one, and its loan, is gone
   std::unique_ptr<LabelLoan> labels;  // empty for a rejected frame

@@ -57,9 +57,11 @@ cleave_v1_FrameOutcome wire_outcome(std::optional<RejectCause> cause) {
     case RejectCause::bad_header:
       return cleave_v1_OUTCOME_REJECTED_BAD_HEADER;
     case RejectCause::no_finite_point:
+      return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
+    case RejectCause::segmentation_failed:
       break;
   }
-  return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
+  return cleave_v1_OUTCOME_REJECTED_SEGMENTATION_FAILED;
 }
 
 }  // namespace cleave::service

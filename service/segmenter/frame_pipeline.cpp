@@ -48,6 +48,7 @@ void FramePipeline::accept(std::shared_ptr<const DepthCloud> cloud, bool zero_co
 
 void FramePipeline::answer_rejected(const FrameHeader& header, RejectCause cause) {
   FinishedFrame finished;
+  finished.accepted_ns = monotonic_now_ns();
   finished.header = answerable(header, settings_.sensor);
   finished.rejected = cause;
   order_.complete(order_.draw(), std::move(finished));
@@ -69,10 +70,12 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
   Frame& frame = taken.frame;
   FinishedFrame finished;
   finished.header = frame.header;
+  finished.accepted_ns = frame.accepted_ns;
   finished.place = std::move(taken.place);
   finished.labels = sink_.loan_labels();
   if (!finished.labels) {
-    report_drop(frame, "no chunk is free for its label map; some reader holds too many samples");
+    report(frame, "dropped",
+           "no chunk is free for its label map; some reader holds too many samples");
     drop(frame, DropCause::no_free_chunk);
     return;
   }
@@ -80,9 +83,9 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
   try {
     finished.rejected = segment_into(finished, frame, segment);
   } catch (const std::exception& error) {
-    report_drop(frame, error.what());
-    drop(frame, DropCause::segmentation_failed);
-    return;
+    report(frame, "rejected", error.what());
+    finished.rejected = RejectCause::segmentation_failed;
+    finished.segmentation = {};
   }
   finished.queue_ms = milliseconds(started_ns - frame.accepted_ns);
   finished.segmentation_ms = milliseconds(monotonic_now_ns() - started_ns);
@@ -104,10 +107,10 @@ void FramePipeline::drop(const Frame& frame, DropCause cause) {
   order_.skip(frame.ticket);
 }
 
-void FramePipeline::report_drop(const Frame& frame, const std::string& why) {
-  problems_.report(ProblemLog::Severity::error, drop_log_,
-                   fmt::format("frame {} of sensor '{}' is dropped: {}", frame.header.frame_id,
-                               settings_.sensor, why));
+void FramePipeline::report(const Frame& frame, std::string_view fate, std::string_view why) {
+  problems_.report(ProblemLog::Severity::error, frame_log_,
+                   fmt::format("frame {} of sensor '{}' is {}: {}", frame.header.frame_id,
+                               settings_.sensor, fate, why));
 }
 
 void FramePipeline::report_gap(const FrameHeader& header, std::uint64_t missed) {

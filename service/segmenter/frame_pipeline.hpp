@@ -66,7 +66,7 @@ class FramePipeline {
   [[nodiscard]] std::optional<RejectCause> segment_into(FinishedFrame& finished, const Frame& frame,
                                                         const SegmentFunction& segment);
   void drop(const Frame& frame, DropCause cause);
-  void report_drop(const Frame& frame, const std::string& why);
+  void report(const Frame& frame, std::string_view fate, std::string_view why);
   void report_gap(const FrameHeader& header, std::uint64_t missed);
 
   const PipelineSettings settings_;
@@ -75,7 +75,7 @@ class FramePipeline {
   LatencyWindow latency_;
   ProblemLog problems_;
   LogLimiter gap_log_;
-  LogLimiter drop_log_;
+  LogLimiter frame_log_;
   ResultPublisher publisher_;
   InOrderPublisher<FinishedFrame> order_;
   FrameQueue<Frame> queue_;

@@ -31,6 +31,7 @@ bool ResultPublisher::publish_segments(const FinishedFrame& frame) {
   SegmentList& list = buffer_.list();
   list.header = frame.header;
   list.cloud_publication_time_ns = frame.header.publication_time_ns;
+  list.cloud_reception_time_ns = frame.accepted_ns;
   list.outcome = wire_outcome(frame.rejected);
   list.queue_ms = frame.queue_ms;
   list.segmentation_ms = frame.segmentation_ms;
@@ -47,6 +48,7 @@ void ResultPublisher::count_refused(const FinishedFrame& frame) {
 
 void ResultPublisher::count_rejected(const FinishedFrame& frame) {
   ledger_.reject(key_of(frame.header), *frame.rejected);
+  if (*frame.rejected == RejectCause::segmentation_failed) return;  // the worker has said why
   problems_.report(
       ProblemLog::Severity::warning, rejected_,
       fmt::format("frame {} for sensor '{}' is rejected: {} ({} x {} points)",

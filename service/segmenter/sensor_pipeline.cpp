@@ -99,6 +99,7 @@ NodeReport SensorPipeline::report() const {
   report.latency_median_ms = latency.median_ms;
   report.latency_p90_ms = latency.p90_ms;
   report.latency_p99_ms = latency.p99_ms;
+  report.cpu_time_s = cpu_time_s();
   report.last_error = pipeline_.last_problem();
   return report;
 }

@@ -11,6 +11,7 @@
 #include "cleave/commands/live_options.hpp"
 #include "cleave/console/json.hpp"
 #include "cleave/console/live_line.hpp"
+#include "cleave/console/table.hpp"
 #include "cleave/console/terminal.hpp"
 #include "cleave/stream/find_sensor.hpp"
 #include "cleave/stream/list_arrival.hpp"
@@ -26,6 +27,7 @@ struct HzOptions {
   LiveOptions live;
   std::uint64_t frames = 0;  // 0 = no limit
   double duration_s = 0;     // 0 = no limit
+  bool latency = false;
   bool json = false;
 };
 
@@ -40,10 +42,32 @@ std::string text_of(const StreamSummary& summary, double rate_hz) {
                      summary.gaps());
 }
 
+std::string stage_table(const StreamSummary& summary) {
+  Table table({{"stage", Align::left},
+               {"median [ms]", Align::right},
+               {"p90 [ms]", Align::right},
+               {"p99 [ms]", Align::right}});
+  const auto add_row = [&table](const char* stage, const Percentiles& p) {
+    table.add_row({stage, fmt::format("{:.2f}", p.median), fmt::format("{:.2f}", p.p90),
+                   fmt::format("{:.2f}", p.p99)});
+  };
+  for (std::size_t stage = 0; stage < latency_stages.size(); ++stage) {
+    add_row(latency_stages.at(stage), summary.stage_ms(stage));
+  }
+  add_row("all", summary.total_ms());
+  return table.to_string();
+}
+
 Json json_of(const StreamSummary& summary, const std::string& sensor) {
+  Json stages = Json::object();
+  for (std::size_t stage = 0; stage < latency_stages.size(); ++stage) {
+    stages[latency_stages.at(stage)] = client::json_of(summary.stage_ms(stage));
+  }
   return {{"sensor", sensor},
           {"rate_hz", summary.mean_rate_hz()},
           {"latency_ms", client::json_of(summary.latency_ms())},
+          {"stages_ms", stages},
+          {"total_ms", client::json_of(summary.total_ms())},
           {"lists", summary.lists()},
           {"gaps", summary.gaps()}};
 }
@@ -84,6 +108,7 @@ int run(const HzOptions& options) {
     std::cout << one_line(json_of(summary, sensor)) << '\n';
   } else {
     std::cout << text_of(summary, summary.mean_rate_hz()) << '\n';
+    if (options.latency) std::cout << stage_table(summary);
   }
   return exit_done;
 }
@@ -101,10 +126,16 @@ void add_hz_command(CLI::App& app, Action& action) {
   command->add_option("--duration", options->duration_s, "end after this many seconds")
       ->check(CLI::PositiveNumber)
       ->excludes(frames);
-  command->add_flag("--json", options->json, "one JSON object: rate_hz, latency_ms, lists, gaps");
+  command->add_flag("--latency", options->latency,
+                    "also the latency by stage, from the frame in the grabber's hands: in the "
+                    "grabber, in transport, waiting for a worker, segmenting, publishing (in "
+                    "frame order), delivery to this client");
+  command->add_flag("--json", options->json,
+                    "one JSON object: rate_hz, latency_ms, stages_ms, total_ms, lists, gaps");
   command->footer(
       "Examples:\n"
       "  cleave hz\n"
+      "  cleave hz --latency --frames 300\n"
       "  cleave hz --sensor camera --duration 10 --json");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -42,6 +42,7 @@ Json header_json(const FrameHeader& h) {
   return {{"frame_id", h.frame_id},
           {"epoch", h.epoch},
           {"capture_time_ns", h.capture_time_ns},
+          {"arrival_time_ns", h.arrival_time_ns},
           {"publication_time_ns", h.publication_time_ns},
           {"device_time_us", h.device_time_us},
           {"width", h.width},
@@ -75,7 +76,8 @@ Segmentation segmentation_of(const SegmentList& list) {
 }
 
 const char* outcome_of(const SegmentList& list) {
-  static constexpr std::array names = {"segmented", "bad size", "bad header", "no finite point"};
+  static constexpr std::array names = {"segmented", "bad size", "bad header", "no finite point",
+                                       "segmentation failed"};
   const auto i = static_cast<std::size_t>(list.outcome);
   return i < names.size() ? names.at(i) : "unknown";
 }
@@ -100,6 +102,7 @@ Json json_of(const SegmentList& list) {
   const Segmentation segmentation = segmentation_of(list);
   return {{"header", header_json(list.header)},
           {"cloud_publication_time_ns", list.cloud_publication_time_ns},
+          {"cloud_reception_time_ns", list.cloud_reception_time_ns},
           {"outcome", outcome_of(list)},
           {"segments", array_of(segmentation.segments)},
           {"borders", array_of(segmentation.borders)},

@@ -17,7 +17,8 @@ namespace cleave::client {
 // What `cleave echo` prints: a line of the header, a line of the outcome, a table of the segments.
 [[nodiscard]] std::string text_of(const SegmentList& list);
 
-// Keys as in the contract: header, cloud_publication_time_ns, outcome, segments, borders, queue_ms,
+// Keys as in the contract: header, cloud_publication_time_ns,
+// cloud_reception_time_ns, outcome, segments, borders, queue_ms,
 // segmentation_ms.
 [[nodiscard]] Json json_of(const SegmentList& list);
 

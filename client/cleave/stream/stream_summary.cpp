@@ -1,5 +1,7 @@
 #include "cleave/stream/stream_summary.hpp"
 
+#include <numeric>
+
 namespace cleave::client {
 namespace {
 
@@ -23,6 +25,10 @@ void StreamSummary::add(const ListArrival& arrival) {
   if (recent_.size() > recent_lists) recent_.pop_front();
   if (!arrival.segments) return;
   latency_ms_.add(arrival.latency_ms);
+  for (std::size_t stage = 0; stage < latency_stages.size(); ++stage) {
+    stage_ms_.at(stage).add(arrival.stage_ms.at(stage));
+  }
+  total_ms_.add(std::accumulate(arrival.stage_ms.begin(), arrival.stage_ms.end(), 0.0));
   segments_.add(static_cast<double>(*arrival.segments));
 }
 

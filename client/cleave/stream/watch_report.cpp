@@ -35,6 +35,7 @@ std::string text_of(const WatchSummary& s) {
   text += fmt::format("{:.1f} Hz, {:.0f} segments a frame\n", s.fps, s.segments.median);
   text += fmt::format("latency {:.1f} ms (median), {:.1f} ms (90 %), {:.1f} ms (99 %)\n",
                       s.latency_ms.median, s.latency_ms.p90, s.latency_ms.p99);
+  text += fmt::format("the segmenter used {:.2f} of one core\n", s.segmenter_cpu);
   text += fmt::format("zero copy {}: {} ({})\n", s.zero_copy ? "yes" : "no", to_string(s.transport),
                       printable(s.transport_reason));
   return text;
@@ -53,7 +54,8 @@ Json json_of(const WatchSummary& s) {
           {"transport_reason", s.transport_reason},
           {"fps", s.fps},
           {"latency_ms", json_of(s.latency_ms)},
-          {"segments", json_of(s.segments)}};
+          {"segments", json_of(s.segments)},
+          {"segmenter_cpu", s.segmenter_cpu}};
 }
 
 }  // namespace cleave::client

@@ -52,8 +52,11 @@ WatchEnd WatchSession::run(Shutdown& shutdown, std::optional<std::uint64_t> fram
 void WatchSession::take_statuses() {
   while (const auto sample = statuses_.take()) {
     const NodeReport report = report_of(**sample);
-    account_.add_report(report, Clock::now());
-    if (report.node == "segmenter/" + sensor_) ++segmenter_statuses_;
+    const Clock::time_point now = Clock::now();
+    account_.add_report(report, now);
+    if (report.node != "segmenter/" + sensor_) continue;
+    segmenter_cpu_.add(report, now);
+    ++segmenter_statuses_;
   }
 }
 
@@ -117,6 +120,7 @@ WatchSummary WatchSession::summary() const {
   summary.fps = summary_.mean_rate_hz();
   summary.latency_ms = summary_.latency_ms();
   summary.segments = summary_.segments();
+  summary.segmenter_cpu = segmenter_cpu_.share();
   return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cleave/cloud/depth_image.hpp"
+#include "cleave/stream/cpu_share.hpp"
 #include "cleave/stream/frame_account.hpp"
 #include "cleave/stream/stream_summary.hpp"
 #include "cleave/stream/watch_end.hpp"
@@ -54,6 +55,7 @@ class WatchSession {
   std::optional<JoinedFrame> last_frame_;
 
   FrameAccount account_;
+  CpuShare segmenter_cpu_;
   StreamSummary summary_;
   std::uint64_t label_maps_copied_ = 0;
   std::uint64_t segmenter_statuses_ = 0;

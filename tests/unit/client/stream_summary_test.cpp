@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cleave/stream/cpu_share.hpp"
 #include "cleave/stream/list_arrival.hpp"
 #include "cleave/stream/segment_message.hpp"
 
@@ -14,7 +15,12 @@ using Time = std::chrono::steady_clock::time_point;
 const Time start{std::chrono::hours(1)};
 
 ListArrival arrival(std::uint64_t frame_id, std::uint32_t epoch, Time time) {
-  return {.frame_id = frame_id, .epoch = epoch, .latency_ms = 10, .segments = 4, .time = time};
+  return {.frame_id = frame_id,
+          .epoch = epoch,
+          .latency_ms = 10,
+          .stage_ms = {1, 2, 3, 4, 0.5, 0.5},
+          .segments = 4,
+          .time = time};
 }
 
 TEST(StreamSummary, MeasuresTheRateBetweenTheFirstAndTheLastList) {
@@ -85,6 +91,64 @@ TEST(ListArrival, MeasuresFromThePublicationOfTheCloud) {
   const ListArrival arrival = arrival_of(message.list, start);
   EXPECT_DOUBLE_EQ(arrival.latency_ms, 25);
   EXPECT_EQ(arrival.segments, 1U);
+}
+
+TEST(ListArrival, TellsEachStageFromTheOthers) {
+  Message message;
+  const auto before_ns = [](std::int64_t ms) { return (3'600'000 - ms) * 1'000'000; };
+  SegmentList& list = message.list;
+  list.header.arrival_time_ns = before_ns(31);
+  list.cloud_publication_time_ns = before_ns(25);
+  list.cloud_reception_time_ns = before_ns(24);
+  list.queue_ms = 5;
+  list.segmentation_ms = 12;
+  list.header.publication_time_ns = before_ns(4);
+
+  const StageTimes stage_ms = arrival_of(list, start).stage_ms;
+
+  EXPECT_EQ(stage_ms, (StageTimes{6, 1, 5, 12, 3, 4}));
+}
+
+TEST(StreamSummary, AddsUpTheStagesOfEveryFrame) {
+  StreamSummary summary;
+  for (int i = 0; i < 10; ++i) summary.add(arrival(1, 0, start));
+
+  EXPECT_EQ(summary.stage_ms(1).median, 2);
+  EXPECT_EQ(summary.total_ms().p99, 11);
+}
+
+TEST(CpuShare, CountsFromTheFirstFrameToTheLast) {
+  CpuShare cpu;
+  EXPECT_EQ(cpu.share(), 0);
+  const auto report = [](std::uint64_t frames, double cpu_time_s) {
+    NodeReport r;
+    r.frames_in = frames;
+    r.cpu_time_s = cpu_time_s;
+    return r;
+  };
+  cpu.add(report(0, 5), start);
+  cpu.add(report(0, 6), start + 1000ms);
+  cpu.add(report(30, 6.3), start + 2000ms);
+  cpu.add(report(60, 6.5), start + 3000ms);
+  cpu.add(report(60, 6.9), start + 9000ms);
+
+  EXPECT_DOUBLE_EQ(cpu.share(), 0.25);
+}
+
+TEST(CpuShare, StartsAnewWithANewProcess) {
+  CpuShare cpu;
+  NodeReport r;
+  r.frames_in = 10;
+  r.cpu_time_s = 100;
+  cpu.add(r, start);
+  r.process_id = 2;
+  r.cpu_time_s = 1;
+  cpu.add(r, start + 1000ms);
+  r.frames_in = 20;
+  r.cpu_time_s = 1.5;
+  cpu.add(r, start + 2000ms);
+
+  EXPECT_DOUBLE_EQ(cpu.share(), 0.5);
 }
 
 TEST(SegmentMessage, IsTextForPeople) {

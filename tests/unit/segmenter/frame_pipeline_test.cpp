@@ -113,7 +113,7 @@ TEST(FramePipeline, RejectsACloudWithoutAFinitePointAndPublishesNoLabelsForIt) {
   EXPECT_EQ(pipeline.counts().rejected_total(), 1U);
 }
 
-TEST(FramePipeline, SurvivesASegmenterThatThrows) {
+TEST(FramePipeline, AnswersAFrameOnWhichTheSegmenterThrows) {
   FakeSink sink;
   const SegmentFunction throws_on_two = [](const CloudView& view, std::span<std::uint16_t> labels,
                                            Segmentation& result) {
@@ -125,8 +125,11 @@ TEST(FramePipeline, SurvivesASegmenterThatThrows) {
   for (std::uint64_t id = 1; id <= 3; ++id) pipeline.accept(cloud(id), false);
   pipeline.drain();
 
-  EXPECT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 3}));
-  EXPECT_EQ(pipeline.counts().dropped_total(), 1U);
+  ASSERT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 2, 3}));
+  EXPECT_EQ(sink.lists[1].outcome, cleave_v1_OUTCOME_REJECTED_SEGMENTATION_FAILED);
+  EXPECT_EQ(sink.lists[1].segments, 0U);
+  EXPECT_EQ(sink.label_ids, (std::vector<std::uint64_t>{1, 3}));
+  EXPECT_EQ(pipeline.counts().rejected_total(), 1U);
   EXPECT_NE(pipeline.last_problem().find("out of luck"), std::string::npos);
 }
 
