@@ -26,14 +26,14 @@ double distance_to(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& ray) {
 
 }  // namespace
 
-LabelledCloud render_touching_boxes(std::uint32_t width, std::uint32_t height) {
+evaluation::LabelledCloud render_touching_boxes(std::uint32_t width, std::uint32_t height) {
   // Columns: the camera's right, down and forward.
   Eigen::Matrix3d table_from_camera;
   table_from_camera << 1, 0, 0, 0, -std::sin(tilt_rad), std::cos(tilt_rad), 0, -std::cos(tilt_rad),
       -std::sin(tilt_rad);
   const double focal_length = 0.82 * width;
 
-  LabelledCloud cloud{.width = width, .height = height, .xyz = {}, .label = {}};
+  evaluation::LabelledCloud cloud{.width = width, .height = height, .xyz = {}, .label = {}};
   for (std::uint32_t row = 0; row < height; ++row) {
     for (std::uint32_t column = 0; column < width; ++column) {
       const Eigen::Vector3d ray((column + 0.5 - width / 2.0) / focal_length,

@@ -59,6 +59,7 @@ std::vector<float> xyz_of(const std::filesystem::path& file, const PcdHeader& he
 
 PcdCloud PcdCloud::read(const std::filesystem::path& file) {
   PcdCloud cloud;
+  cloud.file_ = file;
   cloud.header_ = read_pcd_header(file);
   check_pcd_data(file, cloud.header_);
   cloud.data_ = read_points_with_pcl(file, cloud.header_);
@@ -69,6 +70,25 @@ PcdCloud PcdCloud::read(const std::filesystem::path& file) {
 
 segmentation::CloudView PcdCloud::view() const {
   return {.xyz = xyz_.data(), .stride = 3, .width = header_.width, .height = header_.height};
+}
+
+std::vector<std::uint32_t> PcdCloud::labels() const {
+  const auto field = header_.find(label_name);
+  if (!field) return {};
+  const PcdField& description = header_.fields[*field];
+  if (description.type != 'U' || description.bytes() != sizeof(std::uint32_t)) {
+    throw PcdError(file_.string() +
+                   ": its field label is not one unsigned number of 4 bytes a point; convert the "
+                   "labels, or leave the field out");
+  }
+  const std::size_t step = header_.point_bytes();
+  std::vector<std::uint32_t> labels(header_.points());
+  std::size_t at = offset_of(header_, *field);
+  for (std::uint32_t& label : labels) {
+    std::memcpy(&label, &data_[at], sizeof(label));
+    at += step;
+  }
+  return labels;
 }
 
 void PcdCloud::set_labels(std::span<const std::uint16_t> labels) {

@@ -25,12 +25,16 @@ class PcdCloud {
   // The bytes of all points one after the other, fields in the header's order, padding left out.
   [[nodiscard]] std::span<const std::uint8_t> data() const { return data_; }
 
+  // The field `label`, one value a point; empty if there is none. Throws PcdError if it is anything
+  // but one uint32.
+  [[nodiscard]] std::vector<std::uint32_t> labels() const;
   // Writes the field `label` (uint32), one value a point: in the place of a field of that name, of
   // whatever type, or else behind the last field. Nothing else changes.
   void set_labels(std::span<const std::uint16_t> labels);
 
  private:
   PcdCloud() = default;
+  std::filesystem::path file_;
   PcdHeader header_;
   std::vector<std::uint8_t> data_;
   std::vector<float> xyz_;

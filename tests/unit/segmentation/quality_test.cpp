@@ -1,13 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <vector>
 
+#include "cleave/cloud/pcd_folder.hpp"
+#include "cleave/evaluation/labelled_cloud.hpp"
+#include "cleave/evaluation/quality.hpp"
 #include "segmentation/segmenter.hpp"
-#include "tests/support/covering.hpp"
-#include "tests/support/labelled_cloud.hpp"
+#include "tests/support/data_folder.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -15,21 +16,17 @@ namespace {
 TEST(Quality, CoversTheLabelledScenes) {
   const auto folder = tests::find_data("mosd/learn");
   if (!folder) GTEST_SKIP() << "mosd/learn is not below CLEAVE_DATA; see the README";
-  const auto files = tests::list_clouds(*folder);
-  ASSERT_FALSE(files.empty());
+  const auto files = client::pcd_files(*folder);
   Segmenter segmenter;
   double weighted = 0;
   double unweighted = 0;
 
   for (const auto& file : files) {
-    tests::LabelledCloud cloud = tests::load_labelled_cloud(file);
-    for (std::size_t i = 0; i < cloud.label.size(); ++i) {
-      if (!std::isfinite(cloud.xyz[3 * i + 2])) cloud.label[i] = 0;  // some have a label
-    }
+    const evaluation::LabelledCloud cloud = evaluation::load_cloud(file);
     std::vector<std::uint16_t> labels(cloud.label.size());
     Segmentation result;
     ASSERT_EQ(segmenter.segment(cloud.view(), labels, result), Outcome::segmented) << file;
-    const tests::Quality quality = tests::judge(cloud.label, labels);
+    const evaluation::Quality quality = evaluation::judge(cloud.label, labels);
     weighted += quality.weighted_covering / static_cast<double>(files.size());
     unweighted += quality.unweighted_covering / static_cast<double>(files.size());
   }

@@ -130,7 +130,7 @@ TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
 }
 
 TEST(SegmenterOnDegenerateClouds, IsNotDisturbedByOneFarPoint) {
-  const tests::LabelledCloud scene = tests::render_touching_boxes();
+  const evaluation::LabelledCloud scene = tests::render_touching_boxes();
   auto with_far_point = scene.xyz;
   std::fill_n(with_far_point.begin(), 3, 1e30F);  // the first point was NaN
 

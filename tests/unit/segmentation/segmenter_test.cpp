@@ -4,13 +4,13 @@
 
 #include <map>
 
+#include "cleave/evaluation/quality.hpp"
 #include "tests/support/box_scene.hpp"
-#include "tests/support/covering.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
-using tests::LabelledCloud;
+using evaluation::LabelledCloud;
 using tests::render_touching_boxes;
 
 struct Result {
@@ -34,7 +34,7 @@ TEST(Segmenter, FindsTheTableAndTwoTouchingBoxes) {
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   EXPECT_EQ(result.segmentation.segments.size(), 3U);
-  EXPECT_GT(tests::judge(scene.label, result.labels).unweighted_covering, 0.98);
+  EXPECT_GT(evaluation::judge(scene.label, result.labels).unweighted_covering, 0.98);
 }
 
 TEST(Segmenter, LabelsExactlyTheFinitePoints) {
@@ -156,7 +156,7 @@ TEST(Segmenter, SegmentsAnUnorganisedCloud) {
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   ASSERT_EQ(result.segmentation.segments.size(), 3U);
-  EXPECT_GT(tests::judge(scene.label, result.labels).unweighted_covering, 0.98);
+  EXPECT_GT(evaluation::judge(scene.label, result.labels).unweighted_covering, 0.98);
   EXPECT_EQ(result.segmentation.segments[0].rectangle.right, 0U);
 }
 
@@ -166,7 +166,7 @@ TEST(Segmenter, SegmentsWithEveryOptionalStepOff) {
 
   const Result result = segment(segmenter, scene.view());
 
-  EXPECT_GT(tests::judge(scene.label, result.labels).weighted_covering, 0.97);
+  EXPECT_GT(evaluation::judge(scene.label, result.labels).weighted_covering, 0.97);
 }
 
 TEST(Segmenter, TellsWhenEachStageEnds) {

@@ -1,0 +1,28 @@
+// Clouds with true labels, for whoever judges a segmentation.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "segmentation/cloud_view.hpp"
+
+namespace cleave::evaluation {
+
+struct LabelledCloud {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;          // 1 = unorganised
+  std::vector<float> xyz;            // 3 a point, metres, optical frame of the sensor
+  std::vector<std::uint32_t> label;  // one a point, 0 = none; empty = the cloud has no labels
+
+  [[nodiscard]] segmentation::CloudView view() const { return {xyz.data(), 3, width, height}; }
+  [[nodiscard]] std::size_t size() const { return std::size_t{width} * height; }
+  [[nodiscard]] bool labelled() const { return !label.empty(); }
+};
+
+// Reads a PCD file with x, y, z and, if it has one, the field `label` (uint32). A point that is not
+// finite has no label whatever the file says. Throws PcdError that names the file and what is wrong
+// with it.
+[[nodiscard]] LabelledCloud load_cloud(const std::filesystem::path& file);
+
+}  // namespace cleave::evaluation
