@@ -5,6 +5,17 @@
 
 namespace cleave::render {
 
+CameraModel scaled(const CameraModel& camera, double factor) {
+  // Integer coordinates are the middles of pixels: the image's border lies half a pixel outside.
+  const Intrinsics& i = camera.intrinsics;
+  return {.width = static_cast<std::uint32_t>(std::lround(camera.width * factor)),
+          .height = static_cast<std::uint32_t>(std::lround(camera.height * factor)),
+          .intrinsics = {.fx = i.fx * factor,
+                         .fy = i.fy * factor,
+                         .cx = (i.cx + 0.5) * factor - 0.5,
+                         .cy = (i.cy + 0.5) * factor - 0.5}};
+}
+
 Eigen::Isometry3d table_from_camera(const CameraPose& pose) {
   const Eigen::AngleAxisd turn(pose.yaw_rad, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d right = turn * Eigen::Vector3d::UnitX();

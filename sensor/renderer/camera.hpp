@@ -16,6 +16,9 @@ struct CameraModel {
   Intrinsics intrinsics;
 };
 
+// The same field of view with `factor` times as many columns and rows. `factor` > 0.
+[[nodiscard]] CameraModel scaled(const CameraModel& camera, double factor);
+
 // In the table frame. With yaw 0 the camera looks along +y, and down by its tilt.
 struct CameraPose {
   double height_m = 0.6;   // above the table

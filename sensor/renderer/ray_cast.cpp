@@ -63,8 +63,9 @@ void cast_at_object(const CameraRays& rays, const Scene& scene, std::size_t obje
 }
 
 void blank_cropped_columns(const Crop& crop, RayCast& image) {
+  const std::uint32_t kept = crop.columns * image.width / CameraModel{}.width;
   for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = crop.columns; x < image.width; ++x) {
+    for (std::uint32_t x = kept; x < image.width; ++x) {
       image.measurable[std::size_t{y} * image.width + x] = 0;
     }
   }

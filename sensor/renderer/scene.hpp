@@ -35,7 +35,7 @@ struct Crop {
   double x_min_m = -1;  // of the table's points
   double x_max_m = 1;
   double y_max_m = 2;
-  std::uint32_t columns = 640;  // of the image, from the left
+  std::uint32_t columns = 640;  // of an image 640 wide, from the left; in proportion of others
 };
 
 struct Scene {

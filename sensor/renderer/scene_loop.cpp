@@ -14,8 +14,8 @@ Scene requested_scene(const SceneRequest& request) {
 
 }  // namespace
 
-SceneLoop::SceneLoop(const SceneRequest& request)
-    : request_(request), scene_(requested_scene(request)) {}
+SceneLoop::SceneLoop(const SceneRequest& request, const CameraModel& camera)
+    : request_(request), camera_(camera), scene_(requested_scene(request)) {}
 
 CameraPose SceneLoop::pose(std::uint32_t index) const {
   if (!request_.motion) return scene_.camera;
@@ -30,7 +30,7 @@ LabelledDepth SceneLoop::frame(std::uint32_t index) {
 
 const DepthSensor& SceneLoop::sensor_at(std::uint32_t index) {
   const bool still_valid = sensor_ && (!request_.motion || sensor_index_ == index);
-  if (!still_valid) sensor_.emplace(cast_rays(scene_, pose(index), CameraModel{}));
+  if (!still_valid) sensor_.emplace(cast_rays(scene_, pose(index), camera_));
   sensor_index_ = index;
   return *sensor_;
 }

@@ -16,7 +16,7 @@ namespace cleave::render {
 // at a time.
 class SceneLoop {
  public:
-  explicit SceneLoop(const SceneRequest& request);
+  explicit SceneLoop(const SceneRequest& request, const CameraModel& camera = {});
 
   [[nodiscard]] std::uint32_t size() const { return request_.frames; }
   [[nodiscard]] const Scene& scene() const { return scene_; }
@@ -28,6 +28,7 @@ class SceneLoop {
   const DepthSensor& sensor_at(std::uint32_t index);
 
   SceneRequest request_;
+  CameraModel camera_;
   Scene scene_;
   std::uint32_t sensor_index_ = 0;
   std::optional<DepthSensor> sensor_;  // as of the frame sensor_index_

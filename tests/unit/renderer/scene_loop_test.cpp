@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "sensor/renderer/renderer.hpp"
 
 namespace cleave::render {
@@ -49,6 +51,27 @@ TEST(SceneLoop, IsMadeOfTheRenderersSteps) {
   SceneLoop silent(parse_scene("simple?seed=3&noise=0"));
   EXPECT_EQ(silent.frame(0).depth_mm, sensor.measure_without_noise().depth_mm);
   EXPECT_EQ(render(scene, scene.camera, {}, 5).depth_mm, sensor.measure(5).depth_mm);
+}
+
+TEST(SceneLoop, ShowsACameraOfOtherResolutionTheSameScene) {
+  const SceneRequest request = parse_scene("simple?seed=3&noise=0");
+  const LabelledDepth usual = SceneLoop(request).frame(0);
+  const LabelledDepth large = SceneLoop(request, scaled({}, 2)).frame(0);
+  ASSERT_EQ(large.width, 2 * usual.width);
+  ASSERT_EQ(large.height, 2 * usual.height);
+
+  std::size_t compared = 0;
+  std::size_t alike = 0;
+  for (std::size_t y = 0; y < usual.height; ++y) {
+    for (std::size_t x = 0; x < usual.width; ++x) {
+      const int depth_mm = usual.depth_mm[y * usual.width + x];
+      if (depth_mm == 0) continue;
+      const int close_mm = large.depth_mm[2 * y * large.width + 2 * x];
+      ++compared;
+      alike += std::abs(depth_mm - close_mm) < 5 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(static_cast<double>(alike), 0.97 * static_cast<double>(compared));
 }
 
 }  // namespace
