@@ -56,3 +56,12 @@ cleave_require(PCL_IO_LIBRARY "PCL" libpcl-dev)
 add_library(cleave_pcl_io INTERFACE)
 target_include_directories(cleave_pcl_io SYSTEM INTERFACE "${PCL_INCLUDE_DIR}")
 target_link_libraries(cleave_pcl_io INTERFACE "${PCL_IO_LIBRARY}" "${PCL_COMMON_LIBRARY}" Eigen3::Eigen)
+
+# What Cleave is compared with.
+add_library(cleave_pcl_segmentation INTERFACE)
+foreach(part segmentation features search octree kdtree)
+  find_library(PCL_${part}_LIBRARY pcl_${part})
+  cleave_require(PCL_${part}_LIBRARY "PCL's ${part}" libpcl-dev)
+  target_link_libraries(cleave_pcl_segmentation INTERFACE "${PCL_${part}_LIBRARY}")
+endforeach()
+target_link_libraries(cleave_pcl_segmentation INTERFACE cleave_pcl_io)

@@ -1,6 +1,5 @@
 #include "cleave/commands/bench_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
@@ -9,9 +8,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cleave/cloud/pcd_cloud.hpp"
+#include "cleave/bench/bench_report.hpp"
+#include "cleave/bench/growth.hpp"
 #include "cleave/cloud/pcd_folder.hpp"
-#include "cleave/cloud/stage_times.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/console/progress_bar.hpp"
 #include "cleave/console/terminal.hpp"
@@ -19,97 +18,148 @@
 namespace cleave::client {
 namespace {
 
-using segmentation::Outcome;
-
 struct BenchOptions {
-  std::string path;
+  std::vector<std::string> paths;
+  std::string against;  // empty = nothing
   std::uint32_t repeat = 1;
+  std::uint32_t grid_offsets = 1;
+  bool growth = false;
+  bool collapse = false;
   bool json = false;
   SegmentationArguments segmentation;
 };
 
-struct Measurements {
-  StageTimes times;
-  std::vector<double> points;
-  std::vector<double> segments;
-  std::size_t skipped = 0;  // files that could not be read or segmented
-};
-
-// Times `repeat` runs over a cloud, behind an untimed one that warms the memory up.
-void measure(segmentation::Segmenter& segmenter, const PcdCloud& cloud, std::uint32_t repeat,
-             Measurements& measurements) {
-  std::vector<std::uint16_t> labels(cloud.header().points());
-  segmentation::Segmentation result;
-  if (segmenter.segment(cloud.view(), labels, result) != Outcome::segmented) {
-    throw PcdError("no point has finite coordinates");
-  }
-  for (std::uint32_t i = 0; i < repeat; ++i) {
-    measurements.times.start();
-    (void)segmenter.segment(cloud.view(), labels, result, &measurements.times);
-    measurements.times.end_cloud();
-  }
-  measurements.points.push_back(static_cast<double>(cloud.header().points()));
-  measurements.segments.push_back(static_cast<double>(result.segments.size()));
+BenchPlan plan_of(const BenchOptions& options) {
+  return {.options = options_of(options.segmentation),
+          .repeat = options.repeat,
+          .grid_offsets = options.grid_offsets,
+          .against_pcl = options.against == "pcl",
+          .find_collapses = options.collapse};
 }
 
-Measurements measure_all(const BenchOptions& options) {
-  segmentation::Segmenter segmenter(options_of(options.segmentation));
-  const std::vector<std::filesystem::path> files = pcd_files(options.path);
-  ProgressBar progress(std::cerr, is_terminal(STDERR_FILENO) ? terminal_columns(STDERR_FILENO) : 0,
-                       files.size());
-  Measurements measurements;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    progress.show(i);
-    try {
-      measure(segmenter, PcdCloud::read(files[i]), options.repeat, measurements);
-    } catch (const PcdError& error) {
-      spdlog::warn("skipped: {}", error.what());
-      ++measurements.skipped;
+std::vector<std::filesystem::path> files_of(const BenchOptions& options) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& path : options.paths) {
+    const auto more = pcd_files(path);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
+// `Measurer`: Bench or Growth. Returns how many files had to be left out.
+template <class Measurer>
+std::size_t measure_all(const BenchOptions& options, Measurer& measurer) {
+  const std::vector<std::filesystem::path> files = files_of(options);
+  std::size_t skipped = 0;
+  {
+    ProgressBar progress(
+        std::cerr, is_terminal(STDERR_FILENO) ? terminal_columns(STDERR_FILENO) : 0, files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      progress.show(i);
+      try {
+        measurer.measure(files[i].string(), evaluation::load_cloud(files[i]));
+      } catch (const std::runtime_error& error) {
+        spdlog::warn("skipped: {}", error.what());
+        ++skipped;
+      }
     }
   }
-  if (measurements.points.empty()) {
-    throw std::runtime_error(options.path + ": no cloud could be segmented");
+  if (skipped == files.size()) {
+    throw std::runtime_error("no cloud could be segmented; the warnings above say why");
   }
-  return measurements;
+  return skipped;
 }
 
-int run(const BenchOptions& options) {
-  const Measurements m = measure_all(options);
-  const Percentiles points = percentiles(m.points);
-  const Percentiles segments = percentiles(m.segments);
+int run_growth(const BenchOptions& options) {
+  Growth growth(plan_of(options));
+  const std::size_t skipped = measure_all(options, growth);
   if (options.json) {
-    Json json = {{"clouds", m.points.size()}, {"skipped", m.skipped},
-                 {"repeat", options.repeat},  {"threads", 1},
-                 {"points", json_of(points)}, {"segments", json_of(segments)}};
-    json.update(m.times.json());
+    Json json = growth.json();
+    json["skipped"] = skipped;
     std::cout << one_line(json) << '\n';
   } else {
-    std::cout << m.times.table()
-              << fmt::format(
-                     "{} clouds x {} runs in one thread; median {:.0f} points, {:.0f} "
-                     "segments a cloud\n",
-                     m.points.size(), options.repeat, points.median, segments.median);
+    std::cout << growth.text();
   }
   return exit_done;
 }
+
+int run_bench(const BenchOptions& options) {
+  Bench bench(plan_of(options));
+  const std::size_t skipped = measure_all(options, bench);
+  const BenchResult& result = bench.result();
+  if (options.json) {
+    Json json = json_of(result);
+    json.update({{"skipped", skipped},
+                 {"repeat", options.repeat},
+                 {"grid_offsets", options.grid_offsets},
+                 {"threads", 1}});
+    if (options.collapse) json["collapses"] = collapse_json(result);
+    std::cout << one_line(json) << '\n';
+  } else {
+    std::cout << text_of(result);
+    if (options.collapse) std::cout << '\n' << collapse_text(result);
+  }
+  const bool sound = result.collapses.empty();
+  return options.collapse && (!sound || result.ours.qualities.empty()) ? exit_failed : exit_done;
+}
+
+void check(const BenchOptions& options) {
+  if (options.growth && (!options.against.empty() || options.collapse)) {
+    throw UsageError(
+        "--growth measures the segmentation alone; leave --against and --collapse out");
+  }
+}
+
+constexpr char examples[] =
+    "A cloud is segmented once untimed, then --repeat times; with --against pcl, on each cloud "
+    "all\n"
+    "methods take turns, one thread each. A ratio is the other method's median over ours.\n"
+    "  pcl_ssc         PCL's supervoxels (7.5 mm voxels, 30 mm seeds), our graph and partition\n"
+    "  pcl_lccp        PCL's supervoxels and LCCP, with the values that were published\n"
+    "  pcl_lccp_tuned  the same with the best values that we know for tables\n"
+    "Where clouds have the field label (uint32), the coverings of section 5.2 of the thesis stand\n"
+    "in the same table; points that a method leaves unlabelled count for their nearest neighbour.\n"
+    "Allocations are those of a timed run: new, malloc and their kin, in all libraries.\n"
+    "\n"
+    "Examples:\n"
+    "  cleave bench in.pcd --repeat 20\n"
+    "  cleave bench recordings --against pcl\n"
+    "  cleave bench recordings --json | jq .milliseconds.median\n"
+    "  cleave bench recordings --grid-offsets 12 --collapse     fails if any run goes badly wrong\n"
+    "  cleave bench recordings --growth                         a quarter to 4 times the points\n";
 
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      app.add_subcommand("bench", "Time of the segmentation by stage, in one thread");
-  command->add_option("FILE_OR_DIR", options->path, "PCD file, or a folder of them")->required();
+  CLI::App* command = app.add_subcommand(
+      "bench", "Time of the segmentation by stage, and its quality, beside PCL's");
+  command->add_option("PATH", options->paths, "PCD files, or folders of them")->required();
+  command->add_option("--against", options->against, "what to compare with, in the same run")
+      ->check(CLI::IsMember({"pcl"}));
   command->add_option("--repeat", options->repeat, "timed runs a cloud, behind one untimed")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "one JSON object: total_ms, stages_ms, points, ...");
+  command
+      ->add_option("--grid-offsets", options->grid_offsets,
+                   "segment each cloud on so many shifts of the grid over one voxel")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_flag("--collapse", options->collapse,
+                    "list runs below 0.90 weighted covering where the thesis's plain method\n"
+                    "reaches 0.97; exit code 1 if there is one");
+  command->add_flag("--growth", options->growth,
+                    "the same clouds with 1/4, 1 and 4 times the points, and the exponent of cost");
+  command->add_flag("--json", options->json,
+                    "one JSON object: scenes, milliseconds, stages, weighted_covering, ratio, ...");
   add_segmentation_options(*command, options->segmentation);
-  command->footer(
-      "Examples:\n"
-      "  cleave bench in.pcd --repeat 20\n"
-      "  cleave bench recordings --json | jq .total_ms.median");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->footer(examples);
+  command->callback([options, &action] {
+    action = [options] {
+      check(*options);
+      return options->growth ? run_growth(*options) : run_bench(*options);
+    };
+  });
 }
 
 }  // namespace cleave::client

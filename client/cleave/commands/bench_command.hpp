@@ -1,4 +1,4 @@
-// `cleave bench`: what the segmentation's stages cost.
+// `cleave bench`: what the segmentation costs, stage by stage and beside PCL, and what for.
 #pragma once
 
 #include "cleave/commands/command.hpp"

@@ -1,0 +1,23 @@
+// The figures of a bench, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "cleave/bench/bench.hpp"
+
+namespace cleave::client {
+
+// {"scenes", "points", "segments", "milliseconds": {median, p90, p99}, "weighted_covering": {mean,
+// min}, "unweighted_covering": .., "stages": {"voxelise": {median_ms, p90_ms, p99_ms}, ..},
+// "allocations": {mean, max}, "ratio": {"pcl_ssc": .., ..}, "pcl_ssc": {"milliseconds", ..}, ..}.
+// A ratio is the peer's median over ours.
+[[nodiscard]] Json json_of(const BenchResult& result);
+
+// A table of methods and one of our stages.
+[[nodiscard]] std::string text_of(const BenchResult& result);
+
+// A line a collapse, or one that says that there is none.
+[[nodiscard]] std::string collapse_text(const BenchResult& result);
+[[nodiscard]] Json collapse_json(const BenchResult& result);
+
+}  // namespace cleave::client

@@ -1,0 +1,28 @@
+// What the runs of one method showed.
+#pragma once
+
+#include <vector>
+
+#include "cleave/console/json.hpp"
+#include "cleave/evaluation/quality.hpp"
+
+namespace cleave::client {
+
+struct Record {
+  std::vector<double> run_ms;                  // one a timed run
+  std::vector<evaluation::Quality> qualities;  // one a result whose cloud has labels
+
+  // {"milliseconds": {median, p90, p99}, "weighted_covering": {mean, min}, "unweighted_covering":
+  // ..}; the coverings are null where no cloud has labels.
+  [[nodiscard]] Json json() const;
+};
+
+struct MeanAndMin {
+  double mean = 0;
+  double min = 0;
+};
+// Over all qualities, which must not be empty.
+[[nodiscard]] MeanAndMin summary(const std::vector<evaluation::Quality>& qualities,
+                                 double evaluation::Quality::*measure);
+
+}  // namespace cleave::client

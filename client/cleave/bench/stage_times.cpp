@@ -1,0 +1,25 @@
+#include "cleave/bench/stage_times.hpp"
+
+#include <numeric>
+
+namespace cleave::client {
+
+void StageClock::stage_ended(segmentation::Stage stage) {
+  const auto now = Clock::now();
+  stages_ms_[static_cast<std::size_t>(stage)] =
+      std::chrono::duration<double, std::milli>(now - stage_began_).count();
+  stage_began_ = now;
+}
+
+double StageClock::total_ms() const {
+  return std::accumulate(stages_ms_.begin(), stages_ms_.end(), 0.0);
+}
+
+void StageTimes::add(const StageClock& run) {
+  for (const segmentation::Stage stage : all_stages) {
+    stages[static_cast<std::size_t>(stage)].push_back(run.stage_ms(stage));
+  }
+  total.push_back(run.total_ms());
+}
+
+}  // namespace cleave::client

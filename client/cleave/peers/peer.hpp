@@ -1,0 +1,55 @@
+// What the segmentation is measured beside: other methods, in one form.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "segmentation/cloud_view.hpp"
+#include "segmentation/options.hpp"
+
+namespace cleave::peers {
+
+// One thread; one cloud after the other. Deterministic.
+class Peer {
+ public:
+  virtual ~Peer() = default;
+
+  // Takes the cloud over into the form that the method works on, which is no part of its cost.
+  virtual void prepare(const segmentation::CloudView& cloud) = 0;
+  // Segments the prepared cloud, and leaves a label for each of its points: 0 = the method leaves
+  // the point without one, or it is not finite.
+  virtual void segment(std::span<std::uint16_t> labels) = 0;
+};
+
+// PCL's SupervoxelClustering as both methods below use it: Papon et al., "Voxel Cloud Connectivity
+// Segmentation", CVPR 2013. The values are those of the thesis and of LCCP's paper.
+struct SupervoxelParameters {
+  float voxel_m = 0.0075F;
+  float seed_m = 0.03F;
+  float spatial_weight = 1;
+  float normal_weight = 4;
+  // Voxels that grow with depth, PCL's default for organised clouds.
+  bool single_camera_transform = true;
+};
+
+// PCL's LCCPSegmentation: Stein et al., "Object Partitioning using Local Convexity", CVPR 2014,
+// with the values of that paper.
+struct LccpParameters {
+  SupervoxelParameters supervoxels;
+  float concavity_tolerance_deg = 10;
+  bool sanity_check = true;
+  std::uint32_t k_factor = 1;  // extended convexity
+  std::uint32_t min_segment_supervoxels = 0;
+};
+// The best that was found for it on table-top scenes.
+[[nodiscard]] LccpParameters tuned_lccp();
+
+[[nodiscard]] std::unique_ptr<Peer> make_pcl_lccp(const LccpParameters& parameters = {});
+
+// PCL's supervoxels, their normals by PCA as in section 4.1.2.1, with our graph, partition and
+// clean-up, for which `options` holds.
+[[nodiscard]] std::unique_ptr<Peer> make_pcl_ssc(const segmentation::Options& options,
+                                                 const SupervoxelParameters& supervoxels = {});
+
+}  // namespace cleave::peers
