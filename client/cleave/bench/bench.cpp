@@ -1,5 +1,6 @@
 #include "cleave/bench/bench.hpp"
 
+#include <chrono>
 #include <stdexcept>
 
 #include "cleave/bench/allocation_counter.hpp"
@@ -10,6 +11,16 @@ namespace cleave::client {
 using evaluation::LabelledCloud;
 using evaluation::Quality;
 using segmentation::Outcome;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double wall_ms_since(Clock::time_point began) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
+}
+
+}  // namespace
 
 Bench::Bench(const BenchPlan& plan) : plan_(plan) {
   for (std::uint32_t i = 0; i < plan.grid_offsets; ++i) {
@@ -56,20 +67,23 @@ void Bench::warm_up(const std::string& name, const LabelledCloud& cloud) {
 void Bench::run_peers(const LabelledCloud& cloud, bool judged) {
   for (std::size_t i = 0; i < peers_.size(); ++i) {
     peers_[i]->prepare(cloud.view());
-    const auto began = std::chrono::steady_clock::now();
-    peers_[i]->segment(labels_);
-    const auto ended = std::chrono::steady_clock::now();
     Record& record = result_.peers[i].second;
-    record.run_ms.push_back(std::chrono::duration<double, std::milli>(ended - began).count());
+    const auto began = Clock::now();
+    const double began_ms = thread_ms();
+    peers_[i]->segment(labels_);
+    record.run_ms.push_back(thread_ms() - began_ms);
+    record.wall_ms.push_back(wall_ms_since(began));
     if (judged) record.qualities.push_back(judge(cloud));
   }
 }
 
 void Bench::run_ours(Grid& grid, const LabelledCloud& cloud) {
+  const auto began = Clock::now();
   const auto before = allocations_of_this_thread();
   clock_.start();
   (void)grid.segmenter.segment(cloud.view(), labels_, segmentation_, &clock_);
   const auto after = allocations_of_this_thread();
+  result_.ours.wall_ms.push_back(wall_ms_since(began));
   if (before && after) result_.allocations.push_back(static_cast<double>(*after - *before));
   result_.times.add(clock_);
   result_.ours.run_ms.push_back(clock_.total_ms());

@@ -15,7 +15,7 @@
 namespace cleave::client {
 
 struct BenchPlan {
-  segmentation::Options options;
+  segmentation::Options options{};
   std::uint32_t repeat = 1;        // timed runs a cloud and method
   std::uint32_t grid_offsets = 1;  // shifts of the grid, evenly over one voxel; 1 = as in `options`
   bool against_pcl = false;

@@ -102,10 +102,11 @@ Json json_of(const BenchResult& result) {
 
 std::string text_of(const BenchResult& result) {
   std::string text = methods_table(result) + '\n' + stages_table(result.times) + '\n';
-  text +=
-      fmt::format("{} clouds, {} runs of ours, one thread; median {:.0f} points, {:.0f} segments",
-                  result.points.size(), result.ours.run_ms.size(),
-                  percentiles(result.points).median, percentiles(result.segments).median);
+  text += fmt::format(
+      "{} clouds, {} runs of ours on one thread; medians: {:.0f} points, {:.0f} segments, {:.2f} "
+      "ms by the clock on the wall",
+      result.points.size(), result.ours.run_ms.size(), percentiles(result.points).median,
+      percentiles(result.segments).median, percentiles(result.ours.wall_ms).median);
   if (!result.allocations.empty()) {
     text += fmt::format("; allocations a run: mean {:.1f}, max {:.0f}", mean_of(result.allocations),
                         std::ranges::max(result.allocations));

@@ -7,10 +7,10 @@
 
 namespace cleave::client {
 
-// {"scenes", "points", "segments", "milliseconds": {median, p90, p99}, "weighted_covering": {mean,
-// min}, "unweighted_covering": .., "stages": {"voxelise": {median_ms, p90_ms, p99_ms}, ..},
-// "allocations": {mean, max}, "ratio": {"pcl_ssc": .., ..}, "pcl_ssc": {"milliseconds", ..}, ..}.
-// A ratio is the peer's median over ours.
+// {"scenes", "points", "segments", "milliseconds": {median, p90, p99}, "wall_milliseconds": ..,
+// "weighted_covering": {mean, min}, "unweighted_covering": .., "stages": {"voxelise": {median_ms,
+// p90_ms, p99_ms}, ..}, "allocations": {mean, max}, "ratio": {"pcl_ssc": .., ..}, "pcl_ssc":
+// {"milliseconds", ..}, ..}. A ratio is the peer's median over ours.
 [[nodiscard]] Json json_of(const BenchResult& result);
 
 // A table of methods and one of our stages.

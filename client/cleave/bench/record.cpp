@@ -27,6 +27,7 @@ MeanAndMin summary(const std::vector<Quality>& qualities, double Quality::*measu
 
 Json Record::json() const {
   return {{"milliseconds", client::json_of(percentiles(run_ms))},
+          {"wall_milliseconds", client::json_of(percentiles(wall_ms))},
           {"weighted_covering", json_of(qualities, &Quality::weighted_covering)},
           {"unweighted_covering", json_of(qualities, &Quality::unweighted_covering)}};
 }

@@ -9,10 +9,12 @@
 namespace cleave::client {
 
 struct Record {
-  std::vector<double> run_ms;                  // one a timed run
+  std::vector<double> run_ms;                  // one a timed run: time of its thread
+  std::vector<double> wall_ms;                 // the same runs by the clock on the wall
   std::vector<evaluation::Quality> qualities;  // one a result whose cloud has labels
 
-  // {"milliseconds": {median, p90, p99}, "weighted_covering": {mean, min}, "unweighted_covering":
+  // {"milliseconds": {median, p90, p99}, "wall_milliseconds": .., "weighted_covering": {mean, min},
+  // "unweighted_covering":
   // ..}; the coverings are null where no cloud has labels.
   [[nodiscard]] Json json() const;
 };

@@ -5,10 +5,9 @@
 namespace cleave::client {
 
 void StageClock::stage_ended(segmentation::Stage stage) {
-  const auto now = Clock::now();
-  stages_ms_[static_cast<std::size_t>(stage)] =
-      std::chrono::duration<double, std::milli>(now - stage_began_).count();
-  stage_began_ = now;
+  const double now_ms = thread_ms();
+  stages_ms_[static_cast<std::size_t>(stage)] = now_ms - stage_began_ms_;
+  stage_began_ms_ = now_ms;
 }
 
 double StageClock::total_ms() const {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <vector>
 
+#include "cleave/bench/thread_clock.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
@@ -15,14 +15,14 @@ inline constexpr std::array all_stages = {
     segmentation::Stage::partition,    segmentation::Stage::clean_up,
     segmentation::Stage::label_points, segmentation::Stage::describe};
 
-// The stages of one run, in milliseconds. Allocates nothing, so that allocations can be counted
-// while it looks on.
+// The stages of one run, in milliseconds of its thread. Allocates nothing, so that allocations can
+// be counted while it looks on.
 class StageClock : public segmentation::StageObserver {
  public:
   // Right before Segmenter::segment, which tells it when each stage ends.
   void start() {
     stages_ms_.fill(0);
-    stage_began_ = Clock::now();
+    stage_began_ms_ = thread_ms();
   }
   void stage_ended(segmentation::Stage stage) override;
 
@@ -32,8 +32,7 @@ class StageClock : public segmentation::StageObserver {
   [[nodiscard]] double total_ms() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point stage_began_{};
+  double stage_began_ms_ = 0;
   std::array<double, all_stages.size()> stages_ms_{};
 };
 

@@ -113,7 +113,8 @@ void check(const BenchOptions& options) {
 constexpr char examples[] =
     "A cloud is segmented once untimed, then --repeat times; with --against pcl, on each cloud "
     "all\n"
-    "methods take turns, one thread each. A ratio is the other method's median over ours.\n"
+    "methods take turns, one thread each. Times are those that the thread had a core for, so that\n"
+    "other programs do not count. A ratio is the other method's median over ours.\n"
     "  pcl_ssc         PCL's supervoxels (7.5 mm voxels, 30 mm seeds), our graph and partition\n"
     "  pcl_lccp        PCL's supervoxels and LCCP, with the values that were published\n"
     "  pcl_lccp_tuned  the same with the best values that we know for tables\n"

@@ -40,7 +40,6 @@ LccpParameters tuned_lccp() {
   LccpParameters parameters;
   parameters.concavity_tolerance_deg = 20;
   parameters.k_factor = 0;
-  parameters.min_segment_supervoxels = 3;
   return parameters;
 }
 

@@ -10,7 +10,8 @@
 
 namespace cleave::peers {
 
-// One thread; one cloud after the other. Deterministic.
+// One thread; one cloud after the other. PCL goes through sets of pointers in places: its labels may
+// differ a little from run to run.
 class Peer {
  public:
   virtual ~Peer() = default;
@@ -40,7 +41,7 @@ struct LccpParameters {
   float concavity_tolerance_deg = 10;
   bool sanity_check = true;
   std::uint32_t k_factor = 1;  // extended convexity
-  std::uint32_t min_segment_supervoxels = 0;
+  std::uint32_t min_segment_supervoxels = 3;
 };
 // The best that was found for it on table-top scenes.
 [[nodiscard]] LccpParameters tuned_lccp();

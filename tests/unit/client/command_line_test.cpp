@@ -47,6 +47,9 @@ TEST(CommandLine, UnderstandsEachCommand) {
   EXPECT_EQ(parse({"watch", "--frames", "3", "--picture", "p.png", "--no-shared-memory"}), 0);
   EXPECT_EQ(parse({"segment", "--set", "a=1", "in.pcd", "out.pcd", "--set", "b=2"}), 0);
   EXPECT_EQ(parse({"bench", "folder", "--repeat", "5"}), 0);
+  EXPECT_EQ(parse({"bench", "folder", "in.pcd", "--against", "pcl", "--set", "a=1", "--json"}), 0);
+  EXPECT_EQ(parse({"bench", "folder", "--grid-offsets", "12", "--collapse"}), 0);
+  EXPECT_EQ(parse({"bench", "folder", "--growth"}), 0);
 }
 
 TEST(CommandLine, RefusesWrongUsage) {
@@ -58,6 +61,7 @@ TEST(CommandLine, RefusesWrongUsage) {
   EXPECT_NE(parse({"watch", "--frames", "0"}), 0);
   EXPECT_NE(parse({"hz", "--frames", "1", "--duration", "1"}), 0);
   EXPECT_NE(parse({"bench", "folder", "--repeat", "0"}), 0);
+  EXPECT_NE(parse({"bench", "folder", "--against", "ros"}), 0);
 }
 
 TEST(StreamOptions, TakeTheDomainFromTheCommandLineBeforeTheEnvironment) {
