@@ -41,7 +41,7 @@ SceneRequest request_of(const Settings& settings) {
   constexpr std::string_view prefix = "synthetic:";
   std::string_view scene = settings.scene;
   if (scene.starts_with(prefix)) scene.remove_prefix(prefix.size());
-  const SceneRequest request = parse_scene(scene);
+  SceneRequest request = parse_scene(scene);
   if (request.seed > std::numeric_limits<std::uint32_t>::max() - (settings.count - 1)) {
     throw std::invalid_argument("there are no " + std::to_string(settings.count) + " seeds from " +
                                 std::to_string(request.seed) + " on; start with a smaller seed");
@@ -50,7 +50,7 @@ SceneRequest request_of(const Settings& settings) {
 }
 
 void show_progress(std::uint32_t done, std::uint32_t count) {
-  if (isatty(STDERR_FILENO) == 0) return;
+  if (count == 0 || isatty(STDERR_FILENO) == 0) return;
   constexpr std::uint32_t columns = 40;
   const auto filled = static_cast<std::uint32_t>(std::uint64_t{columns} * done / count);
   std::cerr << "\r[" << std::string(filled, '#') << std::string(columns - filled, '.') << "] "

@@ -7,9 +7,9 @@
 
 namespace cleave::client {
 
-// Allocations of the calling thread up to now. A program that calls this has its malloc replaced by
-// one that counts and then does what glibc's does; other programs are left alone. Nothing where a
-// sanitizer has replaced malloc itself.
+// Allocations of the calling thread up to now. A program that links this has its malloc replaced by
+// one that counts and then does what glibc's does. Nothing where a sanitizer has replaced malloc
+// itself.
 [[nodiscard]] std::optional<std::uint64_t> allocations_of_this_thread();
 
 }  // namespace cleave::client

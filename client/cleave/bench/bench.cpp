@@ -5,6 +5,7 @@
 
 #include "cleave/bench/allocation_counter.hpp"
 #include "cleave/evaluation/nearest_label.hpp"
+#include "cleave/peers/load_peers.hpp"
 
 namespace cleave::client {
 

@@ -128,6 +128,7 @@ std::string collapse_text(const BenchResult& result) {
 }
 
 Json collapse_json(const BenchResult& result) {
+  if (result.ours.qualities.empty()) return nullptr;
   Json list = Json::array();
   for (const Collapse& c : result.collapses) {
     list.push_back({{"cloud", c.cloud},

@@ -16,7 +16,7 @@ namespace cleave::client {
 // A table of methods and one of our stages.
 [[nodiscard]] std::string text_of(const BenchResult& result);
 
-// A line a collapse, or one that says that there is none.
+// A line that counts the collapses, and one for each; null where no cloud has labels.
 [[nodiscard]] std::string collapse_text(const BenchResult& result);
 [[nodiscard]] Json collapse_json(const BenchResult& result);
 

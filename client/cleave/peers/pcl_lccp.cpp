@@ -1,5 +1,6 @@
 #include <pcl/segmentation/lccp_segmentation.h>
 
+#include "cleave/peers/module.hpp"
 #include "cleave/peers/pcl_supervoxels.hpp"
 
 namespace cleave::peers {
@@ -36,15 +37,8 @@ class PclLccp : public Peer {
 
 }  // namespace
 
-LccpParameters tuned_lccp() {
-  LccpParameters parameters;
-  parameters.concavity_tolerance_deg = 20;
-  parameters.k_factor = 0;
-  return parameters;
-}
-
-std::unique_ptr<Peer> make_pcl_lccp(const LccpParameters& parameters) {
-  return std::make_unique<PclLccp>(parameters);
-}
-
 }  // namespace cleave::peers
+
+cleave::peers::Peer* cleave_new_pcl_lccp(const cleave::peers::LccpParameters& parameters) {
+  return new cleave::peers::PclLccp(parameters);
+}

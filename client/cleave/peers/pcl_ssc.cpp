@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "cleave/peers/module.hpp"
 #include "cleave/peers/pcl_supervoxels.hpp"
 #include "segmentation/plane_fit.hpp"
 #include "segmentation/supervoxel_partition.hpp"
@@ -71,9 +72,11 @@ class PclSsc : public Peer {
       return std::pair(pair.first, pair.second);
     };
     auto& pairs = foreign_.adjacent_pairs;
-    std::ranges::sort(pairs, {}, key);
-    const auto twice = std::ranges::unique(pairs, {}, key);
-    pairs.erase(twice.begin(), twice.end());
+    std::sort(pairs.begin(), pairs.end(),
+              [&](const auto& a, const auto& b) { return key(a) < key(b); });
+    pairs.erase(std::unique(pairs.begin(), pairs.end(),
+                            [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+                pairs.end());
   }
 
   segmentation::Options options_;
@@ -87,9 +90,9 @@ class PclSsc : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_pcl_ssc(const segmentation::Options& options,
-                                   const SupervoxelParameters& supervoxels) {
-  return std::make_unique<PclSsc>(options, supervoxels);
-}
-
 }  // namespace cleave::peers
+
+cleave::peers::Peer* cleave_new_pcl_ssc(const cleave::segmentation::Options& options,
+                                        const cleave::peers::SupervoxelParameters& supervoxels) {
+  return new cleave::peers::PclSsc(options, supervoxels);
+}

@@ -2,16 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "segmentation/cloud_view.hpp"
-#include "segmentation/options.hpp"
 
 namespace cleave::peers {
 
-// One thread; one cloud after the other. PCL goes through sets of pointers in places: its labels may
-// differ a little from run to run.
+// One thread; one cloud after the other. PCL goes through sets of pointers in places: its labels
+// may differ a little from run to run.
 class Peer {
  public:
   virtual ~Peer() = default;
@@ -45,12 +43,5 @@ struct LccpParameters {
 };
 // The best that was found for it on table-top scenes.
 [[nodiscard]] LccpParameters tuned_lccp();
-
-[[nodiscard]] std::unique_ptr<Peer> make_pcl_lccp(const LccpParameters& parameters = {});
-
-// PCL's supervoxels, their normals by PCA as in section 4.1.2.1, with our graph, partition and
-// clean-up, for which `options` holds.
-[[nodiscard]] std::unique_ptr<Peer> make_pcl_ssc(const segmentation::Options& options,
-                                                 const SupervoxelParameters& supervoxels = {});
 
 }  // namespace cleave::peers

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "cleave/evaluation/quality.hpp"
-#include "cleave/peers/peer.hpp"
+#include "cleave/peers/load_peers.hpp"
 #include "tests/support/box_scene.hpp"
 
 namespace cleave::peers {
