@@ -1,20 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "allocation_counter.hpp"
+#include "cleave/bench/allocation_counter.hpp"
 #include "depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::segmentation {
 namespace {
-
-TEST(AllocationCounter, SeesAllocations) {
-  const std::uint64_t before = allocations();
-  const auto one = std::make_unique<std::vector<int>>(100);
-
-  EXPECT_EQ(allocations(), before + 2);
-}
 
 class AllocationsOf : public testing::TestWithParam<Representation> {};
 
@@ -32,11 +23,11 @@ TEST_P(AllocationsOf, AWarmSegmenterAreNone) {
     }
   };
   segment_all();
-  const std::uint64_t before = allocations();
+  const auto before = client::allocations_of_this_thread();
 
   segment_all();
 
-  EXPECT_EQ(allocations(), before);
+  EXPECT_EQ(client::allocations_of_this_thread(), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothRepresentations, AllocationsOf,
