@@ -16,8 +16,9 @@ namespace cleave::client {
 // A table of methods and one of our stages.
 [[nodiscard]] std::string text_of(const BenchResult& result);
 
-// A line that counts the collapses, and one for each; null where no cloud has labels.
+// A line that counts the collapses, and one for each.
 [[nodiscard]] std::string collapse_text(const BenchResult& result);
+// [{"cloud", "grid_offset", "weighted_covering", "thesis"}, ..]; null where no cloud has labels.
 [[nodiscard]] Json collapse_json(const BenchResult& result);
 
 }  // namespace cleave::client
