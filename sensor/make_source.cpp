@@ -16,6 +16,7 @@ constexpr char sources[] =
     "Sources are\n"
     "  openni2:          the first camera\n"
     "  openni2:URI       one camera, e.g. openni2:1d27/0609@2/5\n"
+    "  openni2:serial=N  the camera with this serial number\n"
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
     "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings\n"
     "  oni:FILE          a recording by OpenNI, e.g. oni:table.oni";

@@ -12,6 +12,7 @@ constexpr char examples[] =
     "Sources:\n"
     "  openni2:          the first camera that OpenNI2 finds\n"
     "  openni2:URI       one camera\n"
+    "  openni2:serial=N  the camera with this serial number\n"
     "  synthetic:SCENE   the synthetic camera\n"
     "  pcd:PATH          a point cloud, or a folder of them in natural order\n"
     "  oni:FILE          a recording by OpenNI\n"

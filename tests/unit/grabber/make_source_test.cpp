@@ -26,7 +26,8 @@ TEST(MakeSource, KnowsCamerasAndFiles) {
 TEST(MakeSource, ListsTheSourcesForAnUnknownOne) {
   for (const char* const uri : {"", "scenes", "ros:topic", "pcd:", "synthetic:"}) {
     const std::string message = refusal(uri);
-    for (const char* const known : {"openni2:", "synthetic:medium", "pcd:recordings", "oni:table.oni"}) {
+    for (const char* const known :
+         {"openni2:", "synthetic:medium", "pcd:recordings", "oni:table.oni"}) {
       EXPECT_NE(message.find(known), std::string::npos) << uri << ": " << message;
     }
   }
