@@ -42,7 +42,7 @@ Failure OniSource::prepare() {
   intrinsics_.cy -= static_cast<float>(stream.cropping.y);
   if (stream.mirrored) intrinsics_.cx = static_cast<float>(stream.width - 1) - intrinsics_.cx;
   projection_ = DepthProjection(stream.width, stream.height, intrinsics_);
-  spdlog::info("opened {}: {} frames of {} pixels", path_.string(), reader_->size(), size);
+  spdlog::info("opened {}: {} pixels, frames: {}", path_.string(), size, reader_->size());
   return std::nullopt;
 }
 

@@ -105,13 +105,9 @@ void Reader::find_frames() {
   if (!properties) throw std::runtime_error("it has no depth stream");
   stream_ = properties->stream();
   codec_ = properties->codec();
-  if (walk.damaged()) {
-    damage_ = "the recording '" + name_ + "' is damaged: " + std::to_string(frames_.size()) +
-              " frames were found";
-  } else if (!walk.ended()) {
-    damage_ = "the recording '" + name_ + "' was cut off: " + std::to_string(frames_.size()) +
-              " frames were found";
-  }
+  if (!walk.damaged() && walk.ended()) return;
+  damage_ = "the recording '" + name_ + (walk.damaged() ? "' is damaged" : "' was cut off") +
+            "; whole frames in it: " + std::to_string(frames_.size());
 }
 
 std::optional<std::string> Reader::read(std::size_t i, DepthFrame& frame) {

@@ -30,8 +30,8 @@ std::optional<Record> RecordWalk::next() {
       ended_ = record->type == RecordType::end;
       return record;
     }
-    damaged_ = true;
     const std::optional<std::uint64_t> found = find_magic(search_from_);
+    if (found) damaged_ = true;
     position_ = found.value_or(file_.size());
     search_from_ = position_ + magic.size();
   }

@@ -45,7 +45,7 @@ class RecordWalk {
 
   // Empty after the end record, or where there is nothing more.
   [[nodiscard]] std::optional<Record> next();
-  // Bytes that were no record were passed over, or the file ends within a record.
+  // Bytes that were no record were passed over, to one that begins behind them.
   [[nodiscard]] bool damaged() const { return damaged_; }
   // The file has its end record: it was not cut off.
   [[nodiscard]] bool ended() const { return ended_; }

@@ -117,8 +117,10 @@ TEST(OniReader, GivesAllWholeFramesOfAFileThatIsCutShort) {
   const OniFile source = example();
   std::vector<std::size_t> starts;
   const std::string content = source.bytes(&starts);
-  EXPECT_EQ(intact(source, content.substr(0, starts[3] + 50)),
-            (std::vector<std::uint32_t>{1, 2, 3}));
+  const std::string cut = content.substr(0, starts[3] + 50);
+  EXPECT_EQ(intact(source, cut), (std::vector<std::uint32_t>{1, 2, 3}));
+  const TestFile file(cut);
+  EXPECT_NE(Reader(file.path()).damage().find("cut off; whole frames in it: 3"), std::string::npos);
 }
 
 TEST(OniReader, LosesOnlyTheFrameWhoseRecordIsDamaged) {
@@ -131,6 +133,8 @@ TEST(OniReader, LosesOnlyTheFrameWhoseRecordIsDamaged) {
       if (content[starts[2] + byte] == value) continue;
       content[starts[2] + byte] = value;
       const auto frames = intact(source, content);
+      const TestFile file(content);
+      EXPECT_NE(Reader(file.path()).damage(), "") << byte;
       EXPECT_EQ(frames, (std::vector<std::uint32_t>{1, 2, 4, 5})) << byte << " " << int(value);
     }
   }
