@@ -15,6 +15,7 @@ std::vector<std::string> listed_uris() {
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
   std::vector<std::string> uris;
+  uris.reserve(static_cast<std::size_t>(devices.getSize()));
   for (int i = 0; i < devices.getSize(); ++i) uris.emplace_back(devices[i].getUri());
   return uris;
 }
@@ -31,13 +32,13 @@ OpenResult open_by_serial(openni::Device& device, const std::string& serial) {
   std::string closed;
   for (const std::string& uri : listed_uris()) {
     if (device.open(uri.c_str()) != openni::STATUS_OK) {
-      closed += "; '" + uri + "' cannot be opened (" + openni2_error() + ")";
+      closed.append("; '").append(uri).append("' cannot be opened: ").append(openni2_error());
       continue;
     }
     const std::string found = serial_of(device);
     if (found == serial) return {};
     device.close();
-    seen += " '" + found + "' (" + uri + ")";
+    seen.append(" '").append(found).append("' (").append(uri).append(")");
   }
   return {"cannot open a camera: none has the serial number '" + serial + "'; there " +
               (seen.empty() ? "is no other" : "are" + seen) + closed,

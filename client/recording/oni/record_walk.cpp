@@ -23,16 +23,17 @@ RecordWalk::RecordWalk(const File& file, std::uint64_t first, bool wide)
     : file_(file), position_(first), search_from_(first), header_bytes_(wide ? 28 : 24) {}
 
 std::optional<Record> RecordWalk::next() {
+  bool skipped = false;
   while (!ended_ && position_ < file_.size()) {
     if (const std::optional<Record> record = record_at(position_)) {
+      damaged_ = damaged_ || skipped;
       search_from_ = position_ + magic.size();
       position_ = record->payload + record->payload_bytes;
       ended_ = record->type == RecordType::end;
       return record;
     }
-    const std::optional<std::uint64_t> found = find_magic(search_from_);
-    if (found) damaged_ = true;
-    position_ = found.value_or(file_.size());
+    skipped = true;
+    position_ = find_magic(search_from_).value_or(file_.size());
     search_from_ = position_ + magic.size();
   }
   return std::nullopt;
@@ -62,8 +63,8 @@ std::optional<std::uint64_t> RecordWalk::find_magic(std::uint64_t from) {
       if (block_.empty()) return std::nullopt;
     }
     const auto rest = block_.subspan(static_cast<std::size_t>(from - block_position_));
-    const auto found = std::ranges::search(rest, magic);
-    if (!found.empty()) return from + static_cast<std::uint64_t>(found.begin() - rest.begin());
+    const auto found = std::search(rest.begin(), rest.end(), magic.begin(), magic.end());
+    if (found != rest.end()) return from + static_cast<std::uint64_t>(found - rest.begin());
     // The last bytes again, with the next block: a magic may lie across the two.
     if (block_position_ + block_.size() >= file_.size()) return std::nullopt;
     from = std::max(from + 1, block_position_ + block_.size() - (magic.size() - 1));
