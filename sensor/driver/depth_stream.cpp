@@ -31,11 +31,11 @@ OniVideoMode video_mode(const render::SceneRequest& request) {
 }
 
 DepthStream::DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services,
-                         std::shared_ptr<FaultPlan> plan, std::function<void()> first_start)
+                         std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame)
     : services_(services),
       mode_(video_mode(request)),
       plan_(std::move(plan)),
-      first_start_(std::move(first_start)),
+      on_first_frame_(std::move(on_first_frame)),
       mirrored_(request.mirrored),
       loop_(request, [this](const std::string& failure) {
         constexpr int error_severity = 3;
@@ -50,7 +50,6 @@ OniStatus DepthStream::start() {
   return guarded(services_, ONI_STATUS_ERROR, [this] {
     if (deliverer_.joinable()) return ONI_STATUS_OK;
     loop_.start();
-    if (plan_->stream_started(Clock::now())) first_start_();
     deliverer_ = std::jthread([this](const std::stop_token& stopped) { deliver(stopped); });
     return ONI_STATUS_OK;
   });
@@ -68,7 +67,9 @@ void DepthStream::deliver(const std::stop_token& stopped) {
   int frame_index = 0;
   std::uint32_t shown = 0;
   while (!stopped.stop_requested()) {
-    const bool delivers = loop_.ready() > 0 && !plan_->silent(tick);
+    const bool rendered = loop_.ready() > 0;
+    if (rendered && plan_->first_frame(tick)) on_first_frame_();
+    const bool delivers = rendered && !plan_->silent(tick);
     if (delivers) {
       if (frame_index > 0) shown = loop_.after(shown);
       ++frame_index;

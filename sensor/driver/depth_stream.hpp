@@ -26,9 +26,9 @@ namespace cleave::driver {
 // or since its clock was reset. The plan says which frames do not come.
 class DepthStream : public oni::driver::StreamBase {
  public:
-  // `first_start` is called when the plan's clock begins.
+  // `on_first_frame` is called when the plan's clock begins, on the thread that delivers frames.
   DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services,
-              std::shared_ptr<FaultPlan> plan, std::function<void()> first_start);
+              std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame);
   ~DepthStream() override;
   DepthStream(const DepthStream&) = delete;
   DepthStream& operator=(const DepthStream&) = delete;
@@ -51,7 +51,7 @@ class DepthStream : public oni::driver::StreamBase {
   OniVideoMode mode_;
   Clock::time_point created_ = Clock::now();
   std::shared_ptr<FaultPlan> plan_;
-  std::function<void()> first_start_;
+  std::function<void()> on_first_frame_;
   std::atomic<bool> mirrored_;
   RenderedLoop loop_;
   std::mutex mutex_;  // guards nothing: the pause between ticks waits on it

@@ -7,14 +7,14 @@
 namespace cleave::driver {
 
 Device::Device(const std::string& scene, oni::driver::DriverServices& services,
-               std::shared_ptr<FaultPlan> plan, std::function<void()> first_start)
+               std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame)
     : scene_(scene),
       request_(render::parse_scene(scene)),
       services_(services),
       mode_(video_mode(request_)),
       depth_sensor_{ONI_SENSOR_DEPTH, 1, &mode_},
       plan_(std::move(plan)),
-      first_start_(std::move(first_start)) {}
+      on_first_frame_(std::move(on_first_frame)) {}
 
 OniStatus Device::getSensorInfoList(OniSensorInfo** sensors, int* count) {
   *sensors = &depth_sensor_;
@@ -28,7 +28,7 @@ oni::driver::StreamBase* Device::createStream(OniSensorType type) {
     return nullptr;
   }
   return guarded<oni::driver::StreamBase*>(services_, nullptr, [this] {
-    return new DepthStream(request_, services_, plan_, first_start_);
+    return new DepthStream(request_, services_, plan_, on_first_frame_);
   });
 }
 

@@ -14,9 +14,9 @@ namespace cleave::driver {
 class Device : public oni::driver::DeviceBase {
  public:
   // `scene` as the device's name gives it; throws std::invalid_argument if that is no scene.
-  // `first_start` is called when the plan's clock begins.
+  // `on_first_frame` is called when the plan's clock begins, on the thread that delivers frames.
   Device(const std::string& scene, oni::driver::DriverServices& services,
-         std::shared_ptr<FaultPlan> plan, std::function<void()> first_start);
+         std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame);
 
   OniStatus getSensorInfoList(OniSensorInfo** sensors, int* count) override;
   oni::driver::StreamBase* createStream(OniSensorType type) override;
@@ -33,7 +33,7 @@ class Device : public oni::driver::DeviceBase {
   OniVideoMode mode_;
   OniSensorInfo depth_sensor_;
   std::shared_ptr<FaultPlan> plan_;
-  std::function<void()> first_start_;
+  std::function<void()> on_first_frame_;
   OniImageRegistrationMode registration_ = ONI_IMAGE_REGISTRATION_OFF;
 };
 

@@ -97,11 +97,12 @@ class SyntheticDriver : public oni::driver::DriverBase {
     return *found;
   }
 
-  // A thread of its own tells OpenNI2: the one that delivers frames is waited for by calls that
-  // hold OpenNI2's lock.
+  // A thread of its own tells OpenNI2: its listeners must not hold up the delivery of frames, for
+  // whose end a listener that closes the camera would wait.
   void play_absence(Camera& camera) {
     const auto absence = camera.plan->absence();
     if (!absence) return;
+    const std::lock_guard lock_list(mutex_);
     absences_.emplace_back([this, &camera, absence](const std::stop_token& stopped) {
       std::mutex mutex;
       std::unique_lock lock(mutex);
@@ -114,6 +115,7 @@ class SyntheticDriver : public oni::driver::DriverBase {
     });
   }
 
+  std::mutex mutex_;                  // guards absences_
   std::list<Camera> cameras_;         // OpenNI2 keeps pointers to their infos
   std::list<std::jthread> absences_;  // last: they use the cameras
 };

@@ -4,7 +4,7 @@ namespace cleave::driver {
 
 using std::chrono::milliseconds;
 
-bool FaultPlan::stream_started(Clock::time_point now) {
+bool FaultPlan::first_frame(Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   if (started_) return false;
   started_ = now;

@@ -19,10 +19,11 @@ class FaultPlan {
   FaultPlan(const render::CameraFaults& faults, std::uint32_t fps, Clock::time_point now)
       : faults_(faults), fps_(fps), made_(now) {}
 
-  // A stream of the camera is started. The first time, the clock of the plan is, too; true then.
-  bool stream_started(Clock::time_point now);
+  // The camera is about to send a frame: true for the first one, with which the clock of the plan
+  // begins.
+  [[nodiscard]] bool first_frame(Clock::time_point now);
 
-  // When the camera is unplugged and plugged in again; only if it is, and after the first start.
+  // When the camera is unplugged and plugged in again; only if it is, and after the first frame.
   struct Absence {
     Clock::time_point from;
     Clock::time_point to;

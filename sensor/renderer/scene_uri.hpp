@@ -8,8 +8,8 @@
 
 namespace cleave::render {
 
-// What goes wrong with the camera, each thing once. Times in ms since its stream was started for
-// the first time, but for in_use_ms: since its name was used for the first time.
+// What goes wrong with the camera, each thing once. Times in ms since its first frame, but for
+// in_use_ms: since its name was used for the first time.
 struct CameraFaults {
   std::uint32_t unplug_at_ms = 0;        // 0 = never
   std::uint32_t replug_after_ms = 1000;  // how long it stays unplugged
