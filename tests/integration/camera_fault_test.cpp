@@ -161,12 +161,12 @@ TEST_F(CameraFault, ACameraWhoseClockIsResetBeginsAnEpochAndLosesNothing) {
 }
 
 TEST_F(CameraFault, FramesThatTheCameraNumberedAndNobodyGotAreCountedAsTheSensors) {
-  start("drop_at_ms=2000&drop_frames=7");
+  start("drop_at_ms=2000&drop_frames=4");  // half a second: more would be a stall
   ASSERT_TRUE(wait_until(
-      [this] { return count_of(grabber_status(), "sensor") >= 7 && lists().size() > 20; }));
+      [this] { return count_of(grabber_status(), "sensor") >= 4 && lists().size() > 20; }));
   EXPECT_EQ(grabber_status().interruptions, 0U);
   EXPECT_EQ(epochs_seen(), 1U);
-  EXPECT_GE(ticks_without_list(), 7U);
+  EXPECT_GE(ticks_without_list(), 4U);
   expect_account();
 }
 
