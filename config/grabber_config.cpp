@@ -17,6 +17,8 @@ VideoConfig read_video_config(Section& file) {
   if (config.width * config.height > capacity_points) {
     section.refuse("height", "at most 307200 (640 x 480) pixels in all");
   }
+  section.boolean("registration", config.registration);
+  section.boolean("mirror", config.mirror);
   return config;
 }
 

@@ -9,10 +9,12 @@
 
 namespace cleave::config {
 
-// The depth mode that is asked of a camera, with the fps below.
+// What is asked of a camera, with the fps below.
 struct VideoConfig {
   std::uint32_t width = 640;   // pixels; width * height at most 640 * 480
   std::uint32_t height = 480;  // pixels
+  bool registration = false;   // depth as the camera's colour sensor would see it
+  bool mirror = false;         // left and right swapped
 };
 
 struct GrabberConfig {

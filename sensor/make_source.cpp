@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sensor/oni_source.hpp"
 #include "sensor/pcd_source.hpp"
 
 namespace cleave::sensor {
@@ -15,8 +16,10 @@ constexpr char sources[] =
     "Sources are\n"
     "  openni2:          the first camera\n"
     "  openni2:URI       one camera, e.g. openni2:1d27/0609@2/5\n"
+    "  openni2:serial=N  the camera with this serial number\n"
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
-    "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings";
+    "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings\n"
+    "  oni:FILE          a recording by OpenNI, e.g. oni:table.oni";
 
 // The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
 std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
@@ -42,7 +45,8 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
-    if (scheme == "oni" || scheme == "mcap") {
+    if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
+    if (scheme == "mcap") {
       throw std::invalid_argument("source '" + uri + "': " + scheme +
                                   ": is not supported in this version. " + sources);
     }

@@ -31,19 +31,22 @@ std::string openni2_error() {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   while (!text.empty() && text.back() == ' ') text.pop_back();
+  text.erase(0, text.find_first_not_of(' '));
   return text.empty() ? "OpenNI2 gives no reason" : text;
 }
 
-std::string explain_open(const std::string& uri, openni::Status status) {
+std::string explain_open(const std::string& uri, const std::string& reason, bool there) {
   const std::string what = "cannot open " +
                            (uri.empty() ? std::string("a camera") : "'" + uri + "'") + ": " +
-                           openni2_error() + ". ";
-  if (uri.empty() || status == openni::STATUS_NO_DEVICE) {
+                           reason + ". ";
+  if (!there) {
     return what +
            "No such device is there for this user: does `lsusb` list it, are the udev rules of "
            "libopenni2-0 in force (config/README.md)?";
   }
-  return what + "Is another program using it, and is the URI right (`lsusb` lists bus and device)?";
+  return what +
+         "It is there: does another program use it, may this user open it (the udev rules of "
+         "libopenni2-0, config/README.md)?";
 }
 
 }  // namespace cleave::sensor

@@ -16,7 +16,9 @@ namespace cleave::sensor {
 // What OpenNI2 says about the call that failed last on this thread, in one line.
 [[nodiscard]] std::string openni2_error();
 
-// Why the device with this URI (empty: any) could not be opened, and what to do.
-[[nodiscard]] std::string explain_open(const std::string& uri, openni::Status status);
+// That the device with this URI (empty: any) could not be opened, OpenNI2's reason, and what to do.
+// `there`: OpenNI2 knows the device.
+[[nodiscard]] std::string explain_open(const std::string& uri, const std::string& reason,
+                                       bool there);
 
 }  // namespace cleave::sensor

@@ -33,10 +33,24 @@ Failure set_mode(openni::VideoStream& stream, const VideoMode& wanted) {
   return "the camera refuses depth mode " + describe(mode) + ": " + openni2_error();
 }
 
-Failure unmirror(openni::VideoStream& stream) {
-  if (!stream.getMirroringEnabled()) return std::nullopt;
-  if (stream.setMirroringEnabled(false) == openni::STATUS_OK) return std::nullopt;
-  return "the camera mirrors its image and cannot be told not to: " + openni2_error();
+Failure set_mirroring(openni::VideoStream& stream, bool wanted) {
+  if (stream.getMirroringEnabled() == wanted) return std::nullopt;
+  if (stream.setMirroringEnabled(wanted) == openni::STATUS_OK) return std::nullopt;
+  return std::string(wanted ? "the camera cannot mirror its image (video.mirror)"
+                            : "the camera mirrors its image and cannot be told not to") +
+         ": " + openni2_error();
+}
+
+Failure set_registration(openni::Device& device, bool wanted) {
+  const auto mode =
+      wanted ? openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR : openni::IMAGE_REGISTRATION_OFF;
+  if (wanted && !device.isImageRegistrationModeSupported(mode)) {
+    return "the camera cannot register its depth to a colour image: switch video.registration off";
+  }
+  if (device.getImageRegistrationMode() == mode) return std::nullopt;
+  if (device.setImageRegistrationMode(mode) == openni::STATUS_OK) return std::nullopt;
+  return std::string("the camera does not switch registration ") + (wanted ? "on" : "off") + ": " +
+         openni2_error();
 }
 
 }  // namespace cleave::sensor

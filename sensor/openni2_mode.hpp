@@ -20,7 +20,10 @@ namespace cleave::sensor {
 // are if it is none of them.
 [[nodiscard]] Failure set_mode(openni::VideoStream& stream, const VideoMode& wanted);
 
-// Switches mirroring off, which many cameras have on: left and right would be swapped.
-[[nodiscard]] Failure unmirror(openni::VideoStream& stream);
+// Many cameras mirror unless they are told not to: left and right are then swapped.
+[[nodiscard]] Failure set_mirroring(openni::VideoStream& stream, bool wanted);
+
+// Registered depth is as seen by the device's colour sensor.
+[[nodiscard]] Failure set_registration(openni::Device& device, bool wanted);
 
 }  // namespace cleave::sensor

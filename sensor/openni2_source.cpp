@@ -10,6 +10,7 @@
 #include "libcleave/types.hpp"
 #include "sensor/capture_clock.hpp"
 #include "sensor/depth_to_points.hpp"
+#include "sensor/openni2_device.hpp"
 #include "sensor/openni2_library.hpp"
 #include "sensor/openni2_mode.hpp"
 
@@ -17,6 +18,8 @@ namespace cleave::sensor {
 namespace {
 
 using std::chrono::milliseconds;
+
+constexpr milliseconds max_start(5000);  // until the first frame
 
 // OpenNI2 tells on a thread of the driver's that a device was unplugged.
 class Disconnection : public openni::OpenNI::DeviceDisconnectedListener {
@@ -52,7 +55,7 @@ struct OpenNi2Source::State {
   State(std::string u, const VideoMode& m)
       : uri(std::move(u)),
         mode(m),
-        max_silence(std::max(milliseconds(1500), milliseconds(3000 / std::max(1U, m.fps)))) {}
+        max_silence(std::max(milliseconds(800), milliseconds(3000 / std::max(1U, m.fps)))) {}
 
   Failure open_stream();
   Failure prepare_stream();
@@ -65,8 +68,8 @@ struct OpenNi2Source::State {
 
   std::string uri;
   VideoMode mode;
-  milliseconds max_silence;
-  milliseconds silence{0};  // time waited since the last frame
+  milliseconds max_silence;  // between frames
+  milliseconds silence{0};   // time waited since the last frame
   std::unique_ptr<Disconnection> disconnection;
   openni::Device device;
   openni::VideoStream stream;
@@ -77,11 +80,13 @@ struct OpenNi2Source::State {
   std::optional<int> last_index;
   std::uint64_t sensor_drops = 0;
   std::string error;
+  bool in_use = false;
 };
 
 Failure OpenNi2Source::State::open_stream() {
-  const openni::Status status = device.open(uri.empty() ? openni::ANY_DEVICE : uri.c_str());
-  if (status != openni::STATUS_OK) return explain_open(uri, status);
+  const OpenResult opened = open_device(device, uri);
+  in_use = opened.in_use;
+  if (opened.failure) return opened.failure;
   disconnection->watch(device.getDeviceInfo().getUri());
   if (stream.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK) {
     return "the device has no depth stream: " + openni2_error();
@@ -91,7 +96,8 @@ Failure OpenNi2Source::State::open_stream() {
 
 Failure OpenNi2Source::State::prepare_stream() {
   if (Failure failure = set_mode(stream, mode)) return failure;
-  if (Failure failure = unmirror(stream)) return failure;
+  if (Failure failure = set_registration(device, mode.registration)) return failure;
+  if (Failure failure = set_mirroring(stream, mode.mirror)) return failure;
   intrinsics = intrinsics_from_fov(mode.width, mode.height, stream.getHorizontalFieldOfView(),
                                    stream.getVerticalFieldOfView());
   if (intrinsics.fx == 0) return "the camera does not tell its field of view";
@@ -121,7 +127,8 @@ Poll OpenNi2Source::State::read(Frame& frame) {
   }
   const CaptureClock::Stamp stamp = clock.stamp(held.getTimestamp(), arrival_ns);
   const int index = held.getFrameIndex();
-  if (last_index && !stamp.reset && index > *last_index + 1) {
+  // A device that began anew counts from the start again.
+  if (last_index && index > *last_index + 1) {
     sensor_drops += static_cast<std::uint64_t>(index - *last_index - 1);
   }
   last_index = index;
@@ -170,7 +177,7 @@ Poll OpenNi2Source::next(milliseconds timeout, Frame& frame) {
     return s.lose("waiting for the camera failed: " + openni2_error());
   }
   s.silence += timeout;
-  if (s.silence < s.max_silence) return Poll::timeout;
+  if (s.silence < (s.last_index ? s.max_silence : max_start)) return Poll::timeout;
   return s.lose("the camera sent no frame for " + std::to_string(s.silence.count()) + " ms");
 }
 
@@ -190,6 +197,10 @@ SourceCounts OpenNi2Source::counts() const {
 
 std::string OpenNi2Source::last_error() const {
   return state_->error;
+}
+
+bool OpenNi2Source::in_use() const {
+  return state_->in_use;
 }
 
 }  // namespace cleave::sensor

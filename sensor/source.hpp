@@ -68,6 +68,8 @@ class Source {
   [[nodiscard]] virtual bool realtime() const = 0;
   [[nodiscard]] virtual SourceCounts counts() const = 0;
   [[nodiscard]] virtual std::string last_error() const = 0;
+  // After open() failed: the device is there, but somebody else has it. It may be free soon.
+  [[nodiscard]] virtual bool in_use() const { return false; }
 };
 
 }  // namespace cleave::sensor

@@ -59,6 +59,7 @@ NodeReport report_of(const NodeStatus& status) {
   r.frames_rejected = status.frames_rejected;
   r.frames_in_flight = status.frames_in_flight;
   r.frames_zero_copy = status.frames_zero_copy;
+  r.interruptions = status.interruptions;
   r.dropped_by_cause = counts(status.dropped_by_cause);
   r.rejected_by_cause = counts(status.rejected_by_cause);
   r.rate_hz = status.rate_hz;
@@ -94,6 +95,7 @@ void StatusPublisher::publish(const NodeReport& r) {
   status.frames_rejected = r.frames_rejected;
   status.frames_in_flight = r.frames_in_flight;
   status.frames_zero_copy = r.frames_zero_copy;
+  status.interruptions = r.interruptions;
   status.dropped_by_cause = sequence(dropped);
   status.rejected_by_cause = sequence(rejected);
   status.rate_hz = r.rate_hz;

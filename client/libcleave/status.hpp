@@ -29,6 +29,7 @@ struct NodeReport {
   std::uint64_t frames_rejected = 0;
   std::uint64_t frames_in_flight = 0;
   std::uint64_t frames_zero_copy = 0;
+  std::uint64_t interruptions = 0;
   std::map<std::string, std::uint64_t> dropped_by_cause;
   std::map<std::string, std::uint64_t> rejected_by_cause;
   float rate_hz = 0;

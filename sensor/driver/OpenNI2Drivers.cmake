@@ -8,7 +8,8 @@ file(REAL_PATH "${OPENNI2_LIBRARY}" openni2_library)
 cmake_path(GET openni2_library PARENT_PATH openni2_system_dir)
 file(MAKE_DIRECTORY "${CLEAVE_OPENNI2_DRIVER_DIR}")
 file(CREATE_LINK "${openni2_library}" "${CLEAVE_OPENNI2_DIR}/libOpenNI2.so.0" SYMBOLIC)
-foreach(driver libPS1080.so.0 libPSLink.so.0 libOniFile.so.0)
+# Not libOniFile.so.0, which plays recordings: client/recording/oni/README.md says why.
+foreach(driver libPS1080.so.0 libPSLink.so.0)
   set(system_driver "${openni2_system_dir}/OpenNI2/Drivers/${driver}")
   if(NOT EXISTS "${system_driver}")
     message(FATAL_ERROR "${system_driver} was not found. It is in Debian's libopenni2-0:\n"
@@ -18,7 +19,7 @@ foreach(driver libPS1080.so.0 libPSLink.so.0 libOniFile.so.0)
 endforeach()
 
 # cleave_use_openni2(target): links OpenNI2 such that the target, a program in bin/, finds real
-# cameras, recordings and the synthetic camera without any environment variable.
+# cameras and the synthetic camera without any environment variable.
 function(cleave_use_openni2 target)
   target_link_libraries(${target} PRIVATE cleave_openni2)
   set_property(TARGET ${target} APPEND PROPERTY BUILD_RPATH "$ORIGIN/../openni2")

@@ -1,7 +1,9 @@
 #include "sensor/driver/depth_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "sensor/renderer/camera.hpp"
 
@@ -28,9 +30,13 @@ OniVideoMode video_mode(const render::SceneRequest& request) {
           static_cast<int>(camera.height), static_cast<int>(request.fps)};
 }
 
-DepthStream::DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services)
+DepthStream::DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services,
+                         std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame)
     : services_(services),
       mode_(video_mode(request)),
+      plan_(std::move(plan)),
+      on_first_frame_(std::move(on_first_frame)),
+      mirrored_(request.mirrored),
       loop_(request, [this](const std::string& failure) {
         constexpr int error_severity = 3;
         services_.log(error_severity, __FILE__, __LINE__, "CleaveSynthetic", failure.c_str());
@@ -61,13 +67,18 @@ void DepthStream::deliver(const std::stop_token& stopped) {
   int frame_index = 0;
   std::uint32_t shown = 0;
   while (!stopped.stop_requested()) {
-    if (loop_.ready() > 0) {
+    const bool rendered = loop_.ready() > 0;
+    if (rendered && plan_->first_frame(tick)) on_first_frame_();
+    const bool delivers = rendered && !plan_->silent(tick);
+    if (delivers) {
       if (frame_index > 0) shown = loop_.after(shown);
-      send(loop_.frame(shown), ++frame_index, tick);
+      ++frame_index;
+      if (!plan_->drops(tick)) send(loop_.frame(shown), frame_index, tick);
     }
     const Clock::time_point now = Clock::now();
-    do tick += period;
-    while (tick < now);
+    for (tick += period; tick < now; tick += period) {
+      if (delivers) ++frame_index;
+    }
     std::unique_lock lock(mutex_);
     pause_.wait_until(lock, stopped, tick, [] { return false; });
   }
@@ -78,11 +89,10 @@ void DepthStream::send(const std::vector<std::uint16_t>& depth_mm, int frame_ind
   OniFrame* const frame = getServices().acquireFrame();
   if (frame == nullptr) return;  // OpenNI2 has no buffer left: this frame is lost, as a camera's
   const std::size_t bytes = std::span(depth_mm).size_bytes();
-  std::memcpy(frame->data, depth_mm.data(), bytes);
+  copy_image(depth_mm, static_cast<std::uint16_t*>(frame->data));
   frame->dataSize = static_cast<int>(bytes);
   frame->sensorType = ONI_SENSOR_DEPTH;
-  frame->timestamp = static_cast<std::uint64_t>(
-      std::chrono::duration_cast<std::chrono::microseconds>(tick - created_).count());
+  frame->timestamp = timestamp_us(tick);
   frame->frameIndex = frame_index;
   frame->width = mode_.resolutionX;
   frame->height = mode_.resolutionY;
@@ -93,6 +103,21 @@ void DepthStream::send(const std::vector<std::uint16_t>& depth_mm, int frame_ind
   frame->stride = mode_.resolutionX * static_cast<int>(sizeof(std::uint16_t));
   raiseNewFrame(frame);
   getServices().releaseFrame(frame);
+}
+
+void DepthStream::copy_image(const std::vector<std::uint16_t>& depth_mm,
+                             std::uint16_t* image) const {
+  std::ranges::copy(depth_mm, image);
+  if (!mirrored_) return;
+  for (int row = 0; row < mode_.resolutionY; ++row, image += mode_.resolutionX) {
+    std::reverse(image, image + mode_.resolutionX);
+  }
+}
+
+std::uint64_t DepthStream::timestamp_us(Clock::time_point tick) const {
+  const Clock::time_point zero = std::max(created_, plan_->clock_reset(tick).value_or(created_));
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(tick - zero).count());
 }
 
 OniBool DepthStream::isPropertySupported(int property) {
@@ -127,7 +152,7 @@ OniStatus DepthStream::getProperty(int property, void* data, int* size) {
     case ONI_STREAM_PROPERTY_STRIDE:
       return answer(mode_.resolutionX * static_cast<int>(sizeof(std::uint16_t)), data, size);
     case ONI_STREAM_PROPERTY_MIRRORING:
-      return answer(OniBool{FALSE}, data, size);
+      return answer(OniBool{mirrored_ ? TRUE : FALSE}, data, size);
     case ONI_STREAM_PROPERTY_CROPPING:
       // Without an answer OpenNI2 makes recordings of the stream that do not play.
       return answer(OniCropping{FALSE, 0, 0, mode_.resolutionX, mode_.resolutionY}, data, size);
@@ -136,7 +161,7 @@ OniStatus DepthStream::getProperty(int property, void* data, int* size) {
   }
 }
 
-// Everything is as it is: asking for that is fine, asking for something else is refused.
+// All but mirroring is as it is: asking for that is fine, asking for something else is refused.
 OniStatus DepthStream::setProperty(int property, const void* data, int size) {
   const auto asks_for = [data, size]<class T>(T& value) {
     if (size != static_cast<int>(sizeof(T))) return false;
@@ -150,7 +175,8 @@ OniStatus DepthStream::setProperty(int property, const void* data, int size) {
   if (property == ONI_STREAM_PROPERTY_VIDEO_MODE) {
     as_it_is = asks_for(mode) && same_mode(mode, mode_);
   } else if (property == ONI_STREAM_PROPERTY_MIRRORING) {
-    as_it_is = asks_for(mirrored) && mirrored == FALSE;
+    as_it_is = asks_for(mirrored);
+    if (as_it_is) mirrored_ = mirrored != FALSE;
   } else if (property == ONI_STREAM_PROPERTY_CROPPING) {
     as_it_is = asks_for(cropping) && cropping.enabled == FALSE;
   }

@@ -1,12 +1,16 @@
 // The synthetic camera's depth stream.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 
+#include "sensor/driver/fault_plan.hpp"
 #include "sensor/driver/oni_driver_api.hpp"
 #include "sensor/driver/rendered_loop.hpp"
 #include "sensor/renderer/scene_uri.hpp"
@@ -17,11 +21,14 @@ namespace cleave::driver {
 [[nodiscard]] OniVideoMode video_mode(const render::SceneRequest& request);
 
 // One thread delivers a frame at each tick of the mode's rate; ticks are absolute, so that the rate
-// does not drift. Ticks that the machine missed are left out. Time stamps are the ticks' times in
-// microseconds since the stream was created.
+// does not drift. Ticks that the machine missed are numbered and left out, as a camera's frames are
+// that nobody takes. Time stamps are the ticks' times in microseconds since the stream was created,
+// or since its clock was reset. The plan says which frames do not come.
 class DepthStream : public oni::driver::StreamBase {
  public:
-  DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services);
+  // `on_first_frame` is called when the plan's clock begins, on the thread that delivers frames.
+  DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services,
+              std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame);
   ~DepthStream() override;
   DepthStream(const DepthStream&) = delete;
   DepthStream& operator=(const DepthStream&) = delete;
@@ -37,10 +44,15 @@ class DepthStream : public oni::driver::StreamBase {
 
   void deliver(const std::stop_token& stopped);
   void send(const std::vector<std::uint16_t>& depth_mm, int frame_index, Clock::time_point tick);
+  void copy_image(const std::vector<std::uint16_t>& depth_mm, std::uint16_t* image) const;
+  [[nodiscard]] std::uint64_t timestamp_us(Clock::time_point tick) const;
 
   oni::driver::DriverServices& services_;
   OniVideoMode mode_;
   Clock::time_point created_ = Clock::now();
+  std::shared_ptr<FaultPlan> plan_;
+  std::function<void()> on_first_frame_;
+  std::atomic<bool> mirrored_;
   RenderedLoop loop_;
   std::mutex mutex_;  // guards nothing: the pause between ticks waits on it
   std::condition_variable_any pause_;

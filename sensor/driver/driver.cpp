@@ -1,10 +1,18 @@
 // The plug-in's entry: which devices there are. Every `synthetic:SCENE` is one, once asked for.
+#include <algorithm>
+#include <condition_variable>
+#include <cstdlib>
 #include <list>
+#include <memory>
+#include <mutex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include "sensor/driver/device.hpp"
+#include "sensor/driver/fault_plan.hpp"
 #include "sensor/driver/oni_driver_api.hpp"
 #include "sensor/renderer/scene_uri.hpp"
 
@@ -21,29 +29,44 @@ void set_text(char (&field)[ONI_MAX_STR], std::string_view text) {
   text.copy(field, text.size());
 }
 
+// A camera that has a name: announced, opened, unplugged by it.
+struct Camera {
+  OniDeviceInfo info{};
+  std::shared_ptr<FaultPlan> plan;
+};
+
 class SyntheticDriver : public oni::driver::DriverBase {
  public:
   explicit SyntheticDriver(OniDriverServices* services) : DriverBase(services) {}
 
+  // CLEAVE_SYNTHETIC holds SCENEs, parted by blanks, that are there from the start.
+  OniStatus initialize(oni::driver::DeviceConnectedCallback connected,
+                       oni::driver::DeviceDisconnectedCallback disconnected,
+                       oni::driver::DeviceStateChangedCallback state_changed,
+                       void* cookie) override {
+    const OniStatus status = DriverBase::initialize(connected, disconnected, state_changed, cookie);
+    const char* const scenes = std::getenv("CLEAVE_SYNTHETIC");
+    std::istringstream names(scenes == nullptr ? "" : scenes);
+    for (std::string scene; status == ONI_STATUS_OK && names >> scene;) {
+      static_cast<void>(announce(std::string(prefix) + scene));
+    }
+    return status;
+  }
+
   // OpenNI2 asks this about names that no driver has announced.
   OniStatus tryDevice(const char* uri) override {
     const std::string_view name(uri);
-    if (!name.starts_with(prefix)) return ONI_STATUS_ERROR;
-    return guarded(getServices(), ONI_STATUS_ERROR, [this, name] {
-      static_cast<void>(render::parse_scene(name.substr(prefix.size())));
-      OniDeviceInfo info{};
-      set_text(info.uri, name);
-      set_text(info.vendor, "Cleave");
-      set_text(info.name, "Synthetic camera");
-      announced_.push_back(info);
-      deviceConnected(&announced_.back());
-      return ONI_STATUS_OK;
-    });
+    return name.starts_with(prefix) ? announce(name) : ONI_STATUS_ERROR;
   }
 
   oni::driver::DeviceBase* deviceOpen(const char* uri, const char* /*mode*/) override {
     return guarded<oni::driver::DeviceBase*>(getServices(), nullptr, [this, uri] {
-      return new Device(std::string(uri).substr(prefix.size()), getServices());
+      Camera& camera = named(uri);
+      const auto now = FaultPlan::Clock::now();
+      if (camera.plan->unplugged(now)) throw std::runtime_error("the camera is unplugged");
+      if (camera.plan->in_use(now)) throw std::runtime_error("the camera is in use");
+      return new Device(std::string(uri).substr(prefix.size()), getServices(), camera.plan,
+                        [this, &camera] { play_absence(camera); });
     });
   }
 
@@ -52,7 +75,49 @@ class SyntheticDriver : public oni::driver::DriverBase {
   void shutdown() override {}
 
  private:
-  std::list<OniDeviceInfo> announced_;  // OpenNI2 keeps pointers to them
+  OniStatus announce(std::string_view name) {
+    return guarded(getServices(), ONI_STATUS_ERROR, [this, name] {
+      const render::SceneRequest request = render::parse_scene(name.substr(prefix.size()));
+      Camera camera;
+      set_text(camera.info.uri, name);
+      set_text(camera.info.vendor, "Cleave");
+      set_text(camera.info.name, "Synthetic camera");
+      camera.plan =
+          std::make_shared<FaultPlan>(request.faults, request.fps, FaultPlan::Clock::now());
+      cameras_.push_back(camera);
+      deviceConnected(&cameras_.back().info);
+      return ONI_STATUS_OK;
+    });
+  }
+
+  Camera& named(std::string_view uri) {
+    const auto found =
+        std::ranges::find_if(cameras_, [uri](const Camera& c) { return c.info.uri == uri; });
+    if (found == cameras_.end()) throw std::logic_error("no camera was announced by this name");
+    return *found;
+  }
+
+  // A thread of its own tells OpenNI2: its listeners must not hold up the delivery of frames, for
+  // whose end a listener that closes the camera would wait.
+  void play_absence(Camera& camera) {
+    const auto absence = camera.plan->absence();
+    if (!absence) return;
+    const std::lock_guard lock_list(mutex_);
+    absences_.emplace_back([this, &camera, absence](const std::stop_token& stopped) {
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable_any pause;
+      pause.wait_until(lock, stopped, absence->from, [] { return false; });
+      if (stopped.stop_requested()) return;
+      deviceDisconnected(&camera.info);
+      pause.wait_until(lock, stopped, absence->to, [] { return false; });
+      if (!stopped.stop_requested()) deviceConnected(&camera.info);
+    });
+  }
+
+  std::mutex mutex_;                  // guards absences_
+  std::list<Camera> cameras_;         // OpenNI2 keeps pointers to their infos
+  std::list<std::jthread> absences_;  // last: they use the cameras
 };
 
 }  // namespace

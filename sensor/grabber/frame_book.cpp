@@ -23,6 +23,7 @@ void FrameBook::published(bool zero_copy, Clock::time_point now) {
 void FrameBook::fill(NodeReport& report, const SourceCounts& source, Clock::time_point now) {
   report.frames_out = published_;
   report.frames_zero_copy = zero_copy_;
+  report.interruptions = interruptions_;
   report.dropped_by_cause = dropped_;
   if (source.sensor_drops > 0) report.dropped_by_cause["sensor"] = source.sensor_drops;
   report.rejected_by_cause = source.unusable;

@@ -24,6 +24,8 @@ class FrameBook {
 
   // The source reconnected, began again, or reset its clock.
   void begin_epoch() { ++epoch_; }
+  // It was lost, or its clock was reset.
+  void interrupted() { ++interruptions_; }
   // Of the next frame that is published. Ids begin at 1 and go on across epochs.
   [[nodiscard]] FrameKey next() const { return {epoch_, published_ + 1}; }
 
@@ -38,6 +40,7 @@ class FrameBook {
   std::uint32_t epoch_;
   std::uint64_t published_ = 0;
   std::uint64_t zero_copy_ = 0;
+  std::uint64_t interruptions_ = 0;
   std::map<std::string, std::uint64_t> dropped_;
   std::deque<Clock::time_point> recent_;  // publications of the last 2 s
 };

@@ -38,6 +38,7 @@ Grabber::Grabber(const GrabberOptions& options, Stream& stream, Source& source, 
                     book_.fill(report, source_.counts(), now);
                     report.frames_in_flight = flow_ ? flow_->in_flight() : 0;
                   }),
+      link_(source, supervisor_, book_),
       pacer_(options.fps) {
   if (options.window) {
     flow_.emplace(stream, options.sensor, *options.window);
@@ -51,12 +52,7 @@ Grabber::~Grabber() {
 }
 
 Ending Grabber::run() {
-  if (const Failure failure = source_.open()) {
-    spdlog::error("{}", *failure);
-    supervisor_.set_error(*failure);
-    return Ending::failed;
-  }
-  supervisor_.set_state(NodeState::running);
+  if (!link_.start()) return Ending::failed;
   while (!shutdown_.requested() && !ended() && !supervisor_.roudi_replaced()) step();
   if (supervisor_.roudi_replaced()) {
     spdlog::warn("another RouDi runs: restarting in place to join it");
@@ -76,8 +72,10 @@ Ending Grabber::run() {
 void Grabber::step() {
   const auto now = Clock::now();
   update(now);
-  if (supervisor_.state() == NodeState::source_lost) return reopen(now);
-  if (const milliseconds wait = until_next(now); wait > milliseconds(0)) {
+  if (link_.is_down()) {
+    link_.reopen(now);
+    if (link_.is_down()) wait_set_.wait(tick);
+  } else if (const milliseconds wait = until_next(now); wait > milliseconds(0)) {
     wait_set_.wait(std::min(wait, tick));
   } else {
     take_frame();
@@ -87,25 +85,6 @@ void Grabber::step() {
 void Grabber::update(Clock::time_point now) {
   if (flow_) flow_->update(now, publisher_);
   supervisor_.update(now);
-}
-
-void Grabber::reopen(Clock::time_point now) {
-  if (!backoff_.due(now)) {
-    wait_set_.wait(tick);
-    return;
-  }
-  if (const Failure failure = source_.open()) {
-    backoff_.failed(Clock::now());
-    supervisor_.set_error(*failure);
-    if (std::uint64_t suppressed = 0; log_limiter_.allow(suppressed)) {
-      spdlog::warn("{} ({} more attempts before)", *failure, suppressed);
-    }
-    return;
-  }
-  spdlog::info("the source is back");
-  book_.begin_epoch();
-  supervisor_.set_error("");
-  supervisor_.set_state(NodeState::running);
 }
 
 bool Grabber::has_readers() const {
@@ -126,7 +105,7 @@ milliseconds Grabber::until_next(Clock::time_point now) {
 
 void Grabber::take_frame() {
   Frame frame;
-  switch (source_.next(tick, frame)) {
+  switch (link_.next(tick, frame)) {
     case Poll::frame:
       frame.arrival_time_ns = monotonic_now_ns();
       if (frame.begins_epoch) book_.begin_epoch();
@@ -134,13 +113,11 @@ void Grabber::take_frame() {
       handle(frame);
       break;
     case Poll::timeout:
+    case Poll::lost:
       break;
     case Poll::end:
       spdlog::info("the source has ended");
       supervisor_.set_state(NodeState::ended);
-      break;
-    case Poll::lost:
-      lose_source();
       break;
   }
 }
@@ -175,14 +152,6 @@ Publication Grabber::publish(const Frame& frame) {
   book_.published(publisher_.zero_copy(), now);
   if (flow_) flow_->published(std::move(copy), now);
   return result;
-}
-
-void Grabber::lose_source() {
-  const std::string error = source_.last_error();
-  spdlog::warn("{}: trying to open it again", error);
-  supervisor_.set_error(error);
-  supervisor_.set_state(NodeState::source_lost);
-  backoff_.start(Clock::now());
 }
 
 void Grabber::linger(milliseconds at_most) {

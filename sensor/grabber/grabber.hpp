@@ -10,11 +10,11 @@
 #include "libcleave/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/wait_set.hpp"
-#include "sensor/grabber/backoff.hpp"
 #include "sensor/grabber/cloud_publisher.hpp"
 #include "sensor/grabber/frame_book.hpp"
 #include "sensor/grabber/lossless_flow.hpp"
 #include "sensor/grabber/pacer.hpp"
+#include "sensor/grabber/source_link.hpp"
 #include "sensor/grabber/supervisor.hpp"
 #include "sensor/source.hpp"
 
@@ -30,7 +30,7 @@ struct GrabberOptions {
 
 enum class Ending {
   done,           // the source ended, enough frames were published, or a signal asked
-  failed,         // the source could not be opened
+  failed,         // the source could not be opened, and nobody else has it
   roudi_replaced  // the program must start anew
 };
 
@@ -54,13 +54,11 @@ class Grabber {
   using Clock = std::chrono::steady_clock;
   void step();
   void update(Clock::time_point now);
-  void reopen(Clock::time_point now);
   [[nodiscard]] bool has_readers() const;
   std::chrono::milliseconds until_next(Clock::time_point now);
   void take_frame();
   void handle(const Frame& frame);
   [[nodiscard]] Publication publish(const Frame& frame);
-  void lose_source();
   void linger(std::chrono::milliseconds at_most);
   [[nodiscard]] bool ended() const { return supervisor_.state() == NodeState::ended; }
 
@@ -71,8 +69,8 @@ class Grabber {
   CloudPublisher publisher_;
   std::optional<LosslessFlow> flow_;
   Supervisor supervisor_;
+  SourceLink link_;
   Pacer pacer_;
-  Backoff backoff_;
   LogLimiter log_limiter_;
   bool said_waiting_ = false;
   WaitSet wait_set_;  // last: it goes before the readers that it watches

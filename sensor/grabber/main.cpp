@@ -51,7 +51,8 @@ int run(int argc, char** argv) {
     const Settings& settings = std::get<Settings>(parsed);
     const config::GrabberConfig& config = settings.config;
     const StreamOptions options = stream_options(config.stream);
-    const VideoMode mode{config.video.width, config.video.height, config.fps};
+    const VideoMode mode{config.video.width, config.video.height, config.fps,
+                         config.video.registration, config.video.mirror};
     return run(settings, make_source(config.source, mode, config.loop), options, argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());

@@ -33,6 +33,12 @@ void Supervisor::set_error(const std::string& error) {
   if (std::exchange(source_error_, error) != error) publish();
 }
 
+void Supervisor::set(NodeState state, const std::string& error) {
+  report_.state = state;
+  source_error_ = error;
+  publish();
+}
+
 void Supervisor::update(Clock::time_point now) {
   if (roudi_ && now >= next_check_) {
     next_check_ = now + roudi_interval;

@@ -25,6 +25,8 @@ class Supervisor {
   [[nodiscard]] NodeState state() const { return report_.state; }
   // The source's; empty = none. Shown unless RouDi is gone, which is worse.
   void set_error(const std::string& error);
+  // Both, in one status.
+  void set(NodeState state, const std::string& error);
   // Publishes the status if it is due, and checks RouDi if that is. Call several times a second.
   void update(Clock::time_point now);
   // Publishes the status now.

@@ -21,7 +21,8 @@ struct Key {
   std::uint32_t low, high;
   void (*set)(SceneRequest&, std::uint32_t);
 };
-constexpr std::array<Key, 6> keys = {{
+constexpr std::uint32_t longest_ms = 3'600'000;
+constexpr std::array<Key, 16> keys = {{
     {"seed", 0, std::numeric_limits<std::uint32_t>::max(),
      [](SceneRequest& request, std::uint32_t value) { request.seed = value; }},
     {"objects", fewest_objects, most_objects,
@@ -31,6 +32,26 @@ constexpr std::array<Key, 6> keys = {{
      [](SceneRequest& request, std::uint32_t value) { request.motion = value != 0; }},
     {"noise", 0, 1, [](SceneRequest& request, std::uint32_t value) { request.noise = value != 0; }},
     {"fps", 1, 240, [](SceneRequest& request, std::uint32_t value) { request.fps = value; }},
+    {"mirrored", 0, 1,
+     [](SceneRequest& request, std::uint32_t value) { request.mirrored = value != 0; }},
+    {"registration", 0, 1,
+     [](SceneRequest& request, std::uint32_t value) { request.registration = value != 0; }},
+    {"unplug_at_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.unplug_at_ms = value; }},
+    {"replug_after_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.replug_after_ms = value; }},
+    {"stall_at_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.stall_at_ms = value; }},
+    {"stall_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.stall_ms = value; }},
+    {"in_use_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.in_use_ms = value; }},
+    {"clock_reset_at_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.clock_reset_at_ms = value; }},
+    {"drop_at_ms", 1, longest_ms,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.drop_at_ms = value; }},
+    {"drop_frames", 1, 1000,
+     [](SceneRequest& request, std::uint32_t value) { request.faults.drop_frames = value; }},
 }};
 
 std::string quoted(std::string_view text) {

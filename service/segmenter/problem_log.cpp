@@ -10,6 +10,7 @@ void ProblemLog::report(Severity severity, LogLimiter& limiter, const std::strin
   {
     const std::lock_guard lock(mutex_);
     last_ = what;
+    reported_ = std::chrono::steady_clock::now();
   }
   std::uint64_t suppressed = 0;
   if (!limiter.allow(suppressed)) return;
@@ -23,7 +24,7 @@ void ProblemLog::report(Severity severity, LogLimiter& limiter, const std::strin
 
 std::string ProblemLog::last() const {
   const std::lock_guard lock(mutex_);
-  return last_;
+  return std::chrono::steady_clock::now() - reported_ < kept_ ? last_ : "";
 }
 
 }  // namespace cleave::service

@@ -1,7 +1,9 @@
-// Bad input in `pcd:DIR`, bad configurations and names: clear errors, exit codes, nothing lost.
+// Bad input in `pcd:DIR` and `oni:FILE`, bad configurations and names: clear errors, exit codes,
+// nothing lost.
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <utility>
 
 #include "tests/integration/daemons.hpp"
 #include "tests/integration/monitor.hpp"
@@ -86,6 +88,20 @@ TEST_F(BadFiles, ACloudOfMoreThan640x480PointsIsSkippedAndNamed) {
   EXPECT_EQ(grabber.wait(), 1);
   EXPECT_NE(grabber.log().find("large.pcd"), std::string::npos);
   EXPECT_NE(grabber.log().find("307200"), std::string::npos) << grabber.log();
+}
+
+TEST_F(BadFiles, ADamagedOniRecordingEndsTheGrabberWith1AndSaysWhy) {
+  write("cut.oni", "NI10");
+  write("text.oni", "this is no recording\n");
+  for (const auto& [name, why] :
+       {std::pair("cut.oni", "ends in its header"),
+        std::pair("text.oni", "does not begin with NI10"), std::pair("none.oni", "No such file")}) {
+    const std::string file = (folder_.path() / name).string();
+    Process grabber = daemons_.grabber("oni:" + file);
+    EXPECT_EQ(grabber.wait(), 1) << grabber.log();
+    EXPECT_NE(grabber.log().find(file), std::string::npos) << grabber.log();
+    EXPECT_NE(grabber.log().find(why), std::string::npos) << grabber.log();
+  }
 }
 
 struct WrongYaml {

@@ -17,6 +17,8 @@ struct ListSummary {
   std::uint64_t frame_id;
   cleave_v1_FrameOutcome outcome;
   std::size_t segments;
+  std::uint64_t device_time_us;
+  std::int64_t capture_time_ns;
 };
 
 class Monitor {
@@ -28,6 +30,8 @@ class Monitor {
   [[nodiscard]] const std::vector<ListSummary>& lists() const { return lists_; }
   // The node's last status; a default one before the first.
   [[nodiscard]] NodeReport status(const std::string& node) const;
+  // All statuses of the node that came in, in order.
+  [[nodiscard]] std::vector<NodeReport> history(const std::string& node) const;
   [[nodiscard]] Stream& stream() { return stream_; }
 
  private:
@@ -35,7 +39,7 @@ class Monitor {
   Reader<SegmentList> segments_;
   Reader<NodeStatus> statuses_;
   std::vector<ListSummary> lists_;
-  std::map<std::string, NodeReport> nodes_;
+  std::map<std::string, std::vector<NodeReport>> nodes_;
 };
 
 }  // namespace cleave::test

@@ -27,6 +27,8 @@ std::string details_of(const NodeReport& r) {
   append("transport", r.transport_reason);
   append("dropped", words_of(r.dropped_by_cause));
   append("rejected", words_of(r.rejected_by_cause));
+  if (r.interruptions > 0)
+    append("lost", fmt::format("{} times, resets of its clock included", r.interruptions));
   append("last error", r.last_error);
   return text;
 }
@@ -73,6 +75,7 @@ Json json_of(const NodeReport& r) {
           {"frames_rejected", r.frames_rejected},
           {"frames_in_flight", r.frames_in_flight},
           {"frames_zero_copy", r.frames_zero_copy},
+          {"interruptions", r.interruptions},
           {"dropped_by_cause", r.dropped_by_cause},
           {"rejected_by_cause", r.rejected_by_cause},
           {"rate_hz", decimal(r.rate_hz)},

@@ -23,6 +23,8 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
   EXPECT_EQ(shipped.window, defaults.window);
   EXPECT_EQ(shipped.video.width, defaults.video.width);
   EXPECT_EQ(shipped.video.height, defaults.video.height);
+  EXPECT_EQ(shipped.video.registration, defaults.video.registration);
+  EXPECT_EQ(shipped.video.mirror, defaults.video.mirror);
   EXPECT_EQ(shipped.stream.domain, defaults.stream.domain);
   EXPECT_EQ(shipped.stream.shared_memory, defaults.stream.shared_memory);
   EXPECT_EQ(shipped.stream.public_interface, defaults.stream.public_interface);
@@ -31,7 +33,8 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
 TEST(GrabberConfig, ReadsEveryKey) {
   const YamlFile yaml(
       "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
-      "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240}\n"
+      "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240, registration: true, mirror: "
+      "true}\n"
       "stream: {domain: 7, shared_memory: false, public_interface: eth0}\n");
   const GrabberConfig config = load_grabber_config(yaml.path());
   EXPECT_EQ(config.sensor, "left_1");
@@ -43,6 +46,8 @@ TEST(GrabberConfig, ReadsEveryKey) {
   EXPECT_EQ(config.window, 2U);
   EXPECT_EQ(config.video.width, 320U);
   EXPECT_EQ(config.video.height, 240U);
+  EXPECT_TRUE(config.video.registration);
+  EXPECT_TRUE(config.video.mirror);
   EXPECT_EQ(config.stream.domain, 7U);
   EXPECT_FALSE(config.stream.shared_memory);
   EXPECT_EQ(config.stream.public_interface, "eth0");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <utility>
 
 namespace cleave::sensor {
 namespace {
@@ -66,6 +67,29 @@ TEST(CaptureClock, SeesAClockThatJumpsAhead) {
   EXPECT_FALSE(clock.stamp(1'000'000, start_ns).reset);
   EXPECT_TRUE(clock.stamp(9'000'000, start_ns + 33 * ms).reset);
   EXPECT_FALSE(clock.stamp(9'033'000, start_ns + 66 * ms).reset);
+}
+
+// The filter begins anew with the reset: ten minutes of 200 ppm before it do not count.
+TEST(CaptureClock, FollowsTheDriftFromTheStartAgainAfterAReset) {
+  CaptureClock clock;
+  std::mt19937 random(11);
+  const auto stamp_at = [&](std::int64_t captured_ns, std::int64_t zero_ns) {
+    const auto device_us =
+        static_cast<std::uint64_t>((captured_ns - zero_ns) / 1000 * 9998 / 10000);
+    const std::int64_t delay_ns = 4 * ms + static_cast<std::int64_t>(random() % 12) * ms;
+    const auto stamp = clock.stamp(device_us, start_ns + captured_ns + delay_ns);
+    return std::pair(stamp, delay_ns - 4 * ms - stamp.delay_ns);
+  };
+  for (std::int64_t i = 0; i < 18000; ++i) (void)stamp_at(i * 33 * ms, 0);
+  const std::int64_t reset_ns = 18000 * 33 * ms;
+  EXPECT_TRUE(stamp_at(reset_ns, reset_ns).first.reset);
+  for (std::int64_t i = 1; i < 18000; ++i) {
+    const auto [stamp, error_ns] = stamp_at(reset_ns + i * 33 * ms, reset_ns);
+    ASSERT_FALSE(stamp.reset);
+    if (i > 300) {
+      ASSERT_LT(std::abs(error_ns), 3 * ms) << i;
+    }
+  }
 }
 
 TEST(CaptureClock, TakesALateFrameForLateAndNotForAReset) {

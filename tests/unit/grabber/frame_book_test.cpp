@@ -42,6 +42,15 @@ TEST(FrameBook, AccountsForEveryFrame) {
   EXPECT_EQ(report.rejected_by_cause.at("truncated"), 2U);
 }
 
+TEST(FrameBook, CountsInterruptions) {
+  FrameBook book(100);
+  book.interrupted();
+  book.interrupted();
+  NodeReport report;
+  book.fill(report, {}, start);
+  EXPECT_EQ(report.interruptions, 2U);
+}
+
 TEST(FrameBook, TellsTheRateOfTheLastTwoSeconds) {
   FrameBook book(100);
   NodeReport report;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <future>
 #include <memory>
@@ -157,6 +158,38 @@ TEST_F(GrabberLoop, ReopensALostSourceAndBeginsAnEpoch) {
   EXPECT_EQ(more[0].epoch, received[0].epoch + 1);
   EXPECT_EQ(source_->opened, 2);
   EXPECT_EQ(last_status().last_error, "");
+}
+
+TEST_F(GrabberLoop, WaitsForASourceThatSomebodyElseHas) {
+  script({Event::frame});
+  source_->failures_to_open = 2;
+  source_->taken = true;
+  be_segmenter();
+  auto grabber = start(4);
+  const NodeReport waiting =
+      wait_for_status([](const NodeReport& r) { return r.state == NodeState::source_lost; });
+  EXPECT_EQ(waiting.last_error, "nothing is plugged in");
+  EXPECT_EQ(receive(grabber, 1).size(), 1U);
+  EXPECT_EQ(grabber.get(), Ending::done);
+  const NodeReport status = last_status();
+  EXPECT_EQ(status.last_error, "");
+  EXPECT_EQ(status.interruptions, 1U);
+}
+
+TEST_F(GrabberLoop, ASourceThatOpensAndSendsNothingIsStillLost) {
+  script({Event::lost, Event::lost, Event::frame}, true);
+  be_segmenter();
+  auto grabber = start();
+  EXPECT_EQ(receive(grabber, 1).size(), 1U);
+  EXPECT_EQ(grabber.get(), Ending::done);
+  std::vector<NodeState> states;
+  while (const auto status = statuses_.take()) {
+    const NodeReport report = report_of(**status);
+    if (states.empty() || states.back() != report.state) states.push_back(report.state);
+    EXPECT_EQ(report.state == NodeState::source_lost, !report.last_error.empty());
+  }
+  EXPECT_EQ(std::count(states.begin(), states.end(), NodeState::source_lost), 1);
+  EXPECT_EQ(source_->opened, 3);
 }
 
 TEST_F(GrabberLoop, LosslessDeliversEveryFrameThoughASegmenterLosesSome) {

@@ -26,7 +26,10 @@ class ScriptedSource : public Source {
   [[nodiscard]] std::string last_error() const override { return "the cable was pulled"; }
 
   std::atomic<int> failures_to_open = 0;  // the next so many attempts fail
+  [[nodiscard]] bool in_use() const override { return taken; }
+
   std::atomic<int> opened = 0;
+  std::atomic<bool> taken = false;  // what in_use() says
   // A camera that has no frame until somebody watches.
   std::atomic<bool> silent = false;
 

@@ -23,6 +23,7 @@ NodeReport full_report() {
   report.frames_rejected = 2;
   report.frames_in_flight = 1;
   report.frames_zero_copy = 9;
+  report.interruptions = 3;
   report.dropped_by_cause = {{"queue", 1}};
   report.rejected_by_cause = {{"bad size", 1}, {"no finite point", 1}};
   report.rate_hz = 30;
@@ -48,6 +49,7 @@ TEST(Status, ReachesALateJoinerAsItWasReported) {
   EXPECT_EQ(received.state, NodeState::source_lost);
   EXPECT_EQ(received.transport, Transport::shared_memory);
   EXPECT_EQ(received.frames_in, 10U);
+  EXPECT_EQ(received.interruptions, 3U);
   EXPECT_EQ(received.frames_zero_copy, 9U);
   EXPECT_EQ(received.rejected_by_cause, sent.rejected_by_cause);
   EXPECT_EQ(received.dropped_by_cause, sent.dropped_by_cause);

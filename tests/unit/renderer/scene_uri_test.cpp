@@ -44,6 +44,29 @@ TEST(SceneUri, EveryKeyIsRead) {
   EXPECT_EQ(request.fps, 240U);
 }
 
+TEST(SceneUri, TellsTheCameraWhatGoesWrong) {
+  const SceneRequest request = parse_scene(
+      "simple?mirrored=1&registration=1&unplug_at_ms=1&replug_after_ms=2&stall_at_ms=3&stall_ms=4&"
+      "in_use_ms=5&clock_reset_at_ms=6&drop_at_ms=7&drop_frames=8");
+  EXPECT_TRUE(request.mirrored);
+  EXPECT_TRUE(request.registration);
+  EXPECT_EQ(request.faults.unplug_at_ms, 1U);
+  EXPECT_EQ(request.faults.replug_after_ms, 2U);
+  EXPECT_EQ(request.faults.stall_at_ms, 3U);
+  EXPECT_EQ(request.faults.stall_ms, 4U);
+  EXPECT_EQ(request.faults.in_use_ms, 5U);
+  EXPECT_EQ(request.faults.clock_reset_at_ms, 6U);
+  EXPECT_EQ(request.faults.drop_at_ms, 7U);
+  EXPECT_EQ(request.faults.drop_frames, 8U);
+}
+
+TEST(SceneUri, NothingGoesWrongUnlessItIsAskedFor) {
+  const CameraFaults faults = parse_scene("simple").faults;
+  EXPECT_EQ(faults.unplug_at_ms + faults.stall_at_ms + faults.in_use_ms + faults.clock_reset_at_ms +
+                faults.drop_at_ms,
+            0U);
+}
+
 TEST(SceneUri, MotionLengthensTheLoopUnlessItsLengthIsGiven) {
   EXPECT_EQ(parse_scene("simple?motion=1").frames, 60U);
   EXPECT_EQ(parse_scene("simple?motion=1&frames=7").frames, 7U);
@@ -60,7 +83,8 @@ TEST(SceneUri, AnUnknownPresetIsRefusedWithTheKnownOnesAndAnExample) {
 TEST(SceneUri, AnUnknownKeyIsRefusedWithTheKnownOnes) {
   const std::string text = refusal_of("simple?sead=1");
   EXPECT_TRUE(mentions(text, "\"sead\"")) << text;
-  for (const char* key : {"seed", "objects", "frames", "motion", "noise", "fps"}) {
+  for (const char* key : {"seed", "objects", "frames", "motion", "noise", "fps", "mirrored",
+                          "registration", "unplug_at_ms", "stall_ms", "drop_frames"}) {
     EXPECT_TRUE(mentions(text, key)) << text;
   }
 }

@@ -110,7 +110,11 @@ TEST_F(SyntheticDriver, AnswersWhatGrabbersAsk) {
   EXPECT_EQ(stream_.getMinPixelValue(), 0);
   EXPECT_FALSE(stream_.getMirroringEnabled());
   EXPECT_EQ(stream_.setMirroringEnabled(false), openni::STATUS_OK);
-  EXPECT_NE(stream_.setMirroringEnabled(true), openni::STATUS_OK);
+  EXPECT_EQ(stream_.setMirroringEnabled(true), openni::STATUS_OK);
+  EXPECT_TRUE(stream_.getMirroringEnabled());
+  EXPECT_TRUE(device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_OFF));
+  EXPECT_FALSE(
+      device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR));
   EXPECT_TRUE(stream_.isCroppingSupported());
   EXPECT_EQ(device_.getDeviceInfo().getUri(), std::string("synthetic:medium?seed=9"));
   char serial[64];
