@@ -3,9 +3,12 @@
 #include <CLI/CLI.hpp>
 
 #include "cleave/commands/bench_command.hpp"
+#include "cleave/commands/convert_command.hpp"
 #include "cleave/commands/echo_command.hpp"
 #include "cleave/commands/hz_command.hpp"
+#include "cleave/commands/info_command.hpp"
 #include "cleave/commands/list_command.hpp"
+#include "cleave/commands/recover_command.hpp"
 #include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
 #include "cleave/commands/watch_command.hpp"
@@ -31,6 +34,9 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_hz_command(app, action);
   add_list_command(app, action);
   add_segment_command(app, action);
+  add_info_command(app, action);
+  add_convert_command(app, action);
+  add_recover_command(app, action);
   add_bench_command(app, action);
 }
 

@@ -1,4 +1,4 @@
-#include "sensor/fit_intrinsics.hpp"
+#include "recording/cloud/fit_intrinsics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace cleave::sensor {
+namespace cleave::recording {
 namespace {
 
 constexpr std::uint32_t width = 64, height = 48;
@@ -75,4 +75,4 @@ TEST(FitIntrinsics, FindsNoneFromASingleColumn) {
 }
 
 }  // namespace
-}  // namespace cleave::sensor
+}  // namespace cleave::recording

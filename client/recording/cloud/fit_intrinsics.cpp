@@ -1,9 +1,9 @@
-#include "sensor/fit_intrinsics.hpp"
+#include "recording/cloud/fit_intrinsics.hpp"
 
 #include <cmath>
 #include <cstddef>
 
-namespace cleave::sensor {
+namespace cleave::recording {
 namespace {
 
 constexpr double tolerance_m = 1e-4;
@@ -71,4 +71,4 @@ Intrinsics fit_intrinsics(const float* xyz, std::uint32_t width, std::uint32_t h
   return {x.focal_length(), y.focal_length(), x.principal_point(), y.principal_point()};
 }
 
-}  // namespace cleave::sensor
+}  // namespace cleave::recording

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "sensor/source.hpp"
+#include "recording/cloud/projection.hpp"
 
-namespace cleave::sensor {
+namespace cleave::recording {
 
 // The pinhole intrinsics that reproduce x and y of every finite point from its pixel and z within
 // 1e-4 m, by least squares over all points; all 0 if there are none (unorganised, another
@@ -14,4 +14,4 @@ namespace cleave::sensor {
 [[nodiscard]] Intrinsics fit_intrinsics(const float* xyz, std::uint32_t width,
                                         std::uint32_t height);
 
-}  // namespace cleave::sensor
+}  // namespace cleave::recording

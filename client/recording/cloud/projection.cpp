@@ -1,0 +1,77 @@
+#include "recording/cloud/projection.hpp"
+
+#include <limits>
+
+#include "recording/cloud/decimal_digits.hpp"
+
+namespace cleave::recording {
+namespace {
+
+constexpr float metres_per_mm = 0.001F;
+constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
+
+// (i - principal point), in pixels, or as a slope if divided by the focal length.
+std::vector<float> offsets(std::uint32_t count, float principal_point, double divisor) {
+  std::vector<float> result(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    result[i] = static_cast<float>((static_cast<double>(i) - static_cast<double>(principal_point)) /
+                                   divisor);
+  }
+  return result;
+}
+
+// Calls point(column, row, depth, out) for every pixel with a measurement.
+template <class Point>
+void for_each_pixel(const DepthView& image, float* xyz, const Point& point) {
+  std::size_t i = 0;
+  for (std::uint32_t v = 0; v < image.height; ++v) {
+    for (std::uint32_t u = 0; u < image.width; ++u, ++i, xyz += 3) {
+      if (image.depth_mm[i] == 0) {
+        xyz[0] = xyz[1] = xyz[2] = no_measurement;
+      } else {
+        point(u, v, static_cast<float>(image.depth_mm[i]) * metres_per_mm, xyz);
+      }
+    }
+  }
+}
+
+void project_rays(const DepthView& image, const Intrinsics& k, float* xyz) {
+  const std::vector<float> column = offsets(image.width, k.cx, static_cast<double>(k.fx));
+  const std::vector<float> row = offsets(image.height, k.cy, static_cast<double>(k.fy));
+  for_each_pixel(image, xyz, [&](std::uint32_t u, std::uint32_t v, float z, float* out) {
+    out[0] = column[u] * z;
+    out[1] = row[v] * z;
+    out[2] = z;
+  });
+}
+
+template <class Round>
+void project_points(const DepthView& image, const Intrinsics& k, float* xyz, const Round& round) {
+  const std::vector<float> column = offsets(image.width, k.cx, 1);
+  const std::vector<float> row = offsets(image.height, k.cy, 1);
+  const float per_fx = 1 / k.fx;
+  const float per_fy = 1 / k.fy;
+  for_each_pixel(image, xyz, [&](std::uint32_t u, std::uint32_t v, float z, float* out) {
+    out[0] = round((column[u] * z) * per_fx);
+    out[1] = round((row[v] * z) * per_fy);
+    out[2] = round(z);
+  });
+}
+
+}  // namespace
+
+void project(const DepthView& image, const Intrinsics& intrinsics, Projection projection,
+             float* xyz) {
+  switch (projection) {
+    case Projection::none:
+      return;
+    case Projection::ray:
+      return project_rays(image, intrinsics, xyz);
+    case Projection::point:
+      return project_points(image, intrinsics, xyz, [](float x) { return x; });
+    case Projection::point_text:
+      return project_points(image, intrinsics, xyz, round_to_7_digits);
+  }
+}
+
+}  // namespace cleave::recording

@@ -1,0 +1,36 @@
+// The compression of chunks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "recording/mcap/bytes.hpp"
+
+namespace cleave::recording {
+
+class ZstdCompressor {
+ public:
+  ZstdCompressor();
+  ~ZstdCompressor();
+  ZstdCompressor(const ZstdCompressor&) = delete;
+  ZstdCompressor& operator=(const ZstdCompressor&) = delete;
+
+  [[nodiscard]] Bytes compress(ByteView plain);
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+// Memory that is not touched until something is written there: a size that lies costs nothing.
+struct Block {
+  std::unique_ptr<std::byte[]> bytes;
+  std::size_t size = 0;
+  [[nodiscard]] ByteView view() const { return {bytes.get(), size}; }
+};
+
+// Throws DataError unless the result has exactly `plain_bytes`.
+[[nodiscard]] Block zstd_decompress(ByteView compressed, std::size_t plain_bytes);
+
+}  // namespace cleave::recording
