@@ -8,6 +8,7 @@
 #include "cleave/commands/hz_command.hpp"
 #include "cleave/commands/info_command.hpp"
 #include "cleave/commands/list_command.hpp"
+#include "cleave/commands/record_command.hpp"
 #include "cleave/commands/recover_command.hpp"
 #include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
@@ -34,6 +35,7 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_hz_command(app, action);
   add_list_command(app, action);
   add_segment_command(app, action);
+  add_record_command(app, action);
   add_info_command(app, action);
   add_convert_command(app, action);
   add_recover_command(app, action);

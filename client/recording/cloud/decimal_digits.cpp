@@ -25,12 +25,11 @@ std::size_t decade_of(double a) {
 
 }  // namespace
 
-float round_to_7_digits(float x) {
-  const double a = std::fabs(static_cast<double>(x));
-  if (!(a >= power.front() && a < power.back())) return x;
+float round_to_7_digits(double x) {
+  const double a = std::fabs(x);
+  if (!(a >= power.front() && a < power.back())) return static_cast<float>(x);
   const double factor = scale[decade_of(a)];
-  return static_cast<float>(
-      std::copysign(std::nearbyint(a * factor) / factor, static_cast<double>(x)));
+  return static_cast<float>(std::copysign(std::nearbyint(a * factor) / factor, x));
 }
 
 }  // namespace cleave::recording

@@ -86,7 +86,8 @@ std::vector<DepthEncoder::Candidate> DepthEncoder::candidates(const FrameHeader&
   if (last_ && (last_->intrinsics == exact || last_->intrinsics == rounded)) {
     result.push_back(*last_);
   }
-  for (const Projection projection : {Projection::ray, Projection::point, Projection::point_text}) {
+  for (const Projection projection : {Projection::ray, Projection::point, Projection::precise,
+                                      Projection::point_text, Projection::precise_text}) {
     result.push_back({exact, projection});
     if (rounded != exact && rounded.fx > 0 && rounded.fy > 0) {
       result.push_back({rounded, projection});
@@ -124,7 +125,7 @@ std::optional<DepthImage> DepthEncoder::encode(const Cloud& cloud) {
 void decode(const DepthImage& image, std::uint32_t width, std::uint32_t height, float* xyz) {
   const std::size_t points = std::size_t{width} * height;
   if (image.depth_mm.size() != points) throw DataError("a depth image is not of its cloud's size");
-  if (image.projection < Projection::ray || image.projection > Projection::point_text) {
+  if (image.projection < Projection::ray || image.projection > Projection::precise_text) {
     throw DataError("a depth image is of a projection that this version does not know");
   }
   project({image.depth_mm, width, height}, image.intrinsics, image.projection, xyz);

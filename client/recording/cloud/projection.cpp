@@ -20,7 +20,7 @@ std::vector<float> offsets(std::uint32_t count, float principal_point, double di
   return result;
 }
 
-// Calls point(column, row, depth, out) for every pixel with a measurement.
+// Calls point(column, row, depth in mm, out) for every pixel with a measurement.
 template <class Point>
 void for_each_pixel(const DepthView& image, float* xyz, const Point& point) {
   std::size_t i = 0;
@@ -29,7 +29,7 @@ void for_each_pixel(const DepthView& image, float* xyz, const Point& point) {
       if (image.depth_mm[i] == 0) {
         xyz[0] = xyz[1] = xyz[2] = no_measurement;
       } else {
-        point(u, v, static_cast<float>(image.depth_mm[i]) * metres_per_mm, xyz);
+        point(u, v, image.depth_mm[i], xyz);
       }
     }
   }
@@ -38,7 +38,8 @@ void for_each_pixel(const DepthView& image, float* xyz, const Point& point) {
 void project_rays(const DepthView& image, const Intrinsics& k, float* xyz) {
   const std::vector<float> column = offsets(image.width, k.cx, static_cast<double>(k.fx));
   const std::vector<float> row = offsets(image.height, k.cy, static_cast<double>(k.fy));
-  for_each_pixel(image, xyz, [&](std::uint32_t u, std::uint32_t v, float z, float* out) {
+  for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
+    const float z = depth_mm * metres_per_mm;
     out[0] = column[u] * z;
     out[1] = row[v] * z;
     out[2] = z;
@@ -51,11 +52,30 @@ void project_points(const DepthView& image, const Intrinsics& k, float* xyz, con
   const std::vector<float> row = offsets(image.height, k.cy, 1);
   const float per_fx = 1 / k.fx;
   const float per_fy = 1 / k.fy;
-  for_each_pixel(image, xyz, [&](std::uint32_t u, std::uint32_t v, float z, float* out) {
+  for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
+    const float z = depth_mm * metres_per_mm;
     out[0] = round((column[u] * z) * per_fx);
     out[1] = round((row[v] * z) * per_fy);
     out[2] = round(z);
   });
+}
+
+template <class Round>
+void project_precisely(const DepthView& image, const Intrinsics& k, float* xyz,
+                       const Round& round) {
+  const auto slope = [](std::uint32_t i, float centre, float focal_length) {
+    return (i - double{centre}) / double{focal_length};
+  };
+  for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
+    const double z = depth_mm * 0.001;
+    out[0] = round(slope(u, k.cx, k.fx) * z);
+    out[1] = round(slope(v, k.cy, k.fy) * z);
+    out[2] = round(z);
+  });
+}
+
+float as_it_is(double x) {
+  return static_cast<float>(x);
 }
 
 }  // namespace
@@ -68,9 +88,13 @@ void project(const DepthView& image, const Intrinsics& intrinsics, Projection pr
     case Projection::ray:
       return project_rays(image, intrinsics, xyz);
     case Projection::point:
-      return project_points(image, intrinsics, xyz, [](float x) { return x; });
+      return project_points(image, intrinsics, xyz, as_it_is);
     case Projection::point_text:
       return project_points(image, intrinsics, xyz, round_to_7_digits);
+    case Projection::precise:
+      return project_precisely(image, intrinsics, xyz, as_it_is);
+    case Projection::precise_text:
+      return project_precisely(image, intrinsics, xyz, round_to_7_digits);
   }
 }
 

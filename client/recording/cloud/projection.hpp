@@ -16,12 +16,15 @@ struct Intrinsics {
   bool operator==(const Intrinsics&) const = default;
 };
 
-// All in 32-bit floating point, z = depth * 0.001. Recorded: the numbers never change meaning.
+// With z = depth * 0.001. `text`: x, y, z were written with 7 decimal digits, and read back.
+// Recorded: the numbers never change meaning.
 enum class Projection : std::uint32_t {
   none = 0,
-  ray = 1,        // x = ((u - cx) / fx) * z, as the grabber does
-  point = 2,      // x = ((u - cx) * z) * (1 / fx), as PCL and the tools after it do
-  point_text = 3  // the same, and x, y, z rounded to 7 decimal digits: clouds that were text once
+  ray = 1,    // in 32 bits, x = ((u - cx) / fx) * z, as the grabber does
+  point = 2,  // in 32 bits, x = ((u - cx) * z) * (1 / fx), as PCL and the tools after it do
+  point_text = 3,
+  precise = 4,  // x = (u - cx) / fx * z in 64 bits, then rounded to 32
+  precise_text = 5
 };
 
 struct DepthView {
