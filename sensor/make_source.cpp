@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sensor/mcap_source.hpp"
 #include "sensor/pcd_source.hpp"
 
 namespace cleave::sensor {
@@ -16,7 +17,8 @@ constexpr char sources[] =
     "  openni2:          the first camera\n"
     "  openni2:URI       one camera, e.g. openni2:1d27/0609@2/5\n"
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
-    "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings";
+    "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings\n"
+    "  mcap:FILE         a recording by `cleave record`, e.g. mcap:run.mcap";
 
 // The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
 std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
@@ -42,7 +44,8 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
-    if (scheme == "oni" || scheme == "mcap") {
+    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop);
+    if (scheme == "oni") {
       throw std::invalid_argument("source '" + uri + "': " + scheme +
                                   ": is not supported in this version. " + sources);
     }

@@ -9,8 +9,8 @@
 
 namespace cleave::sensor {
 
-// openni2:[URI], synthetic:SCENE, pcd:PATH. `mode` is asked of cameras; `loop` is for recordings.
-// Opens nothing. Throws std::invalid_argument, listing the sources, for any other URI.
+// openni2:[URI], synthetic:SCENE, pcd:PATH, mcap:FILE. `mode` is asked of cameras; `loop` is for
+// recordings. Opens nothing. Throws std::invalid_argument, listing the sources, for any other URI.
 [[nodiscard]] std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
                                                   bool loop);
 

@@ -14,6 +14,7 @@ constexpr char examples[] =
     "  openni2:URI       one camera\n"
     "  synthetic:SCENE   the synthetic camera\n"
     "  pcd:PATH          a point cloud, or a folder of them in natural order\n"
+    "  mcap:FILE         a recording by `cleave record`, in its own timing\n"
     "\n"
     "Examples:\n"
     "  cleave-grabber --config grabber.yaml\n"

@@ -10,6 +10,7 @@
 #include "cleave/commands/list_command.hpp"
 #include "cleave/commands/record_command.hpp"
 #include "cleave/commands/recover_command.hpp"
+#include "cleave/commands/replay_command.hpp"
 #include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
 #include "cleave/commands/watch_command.hpp"
@@ -36,6 +37,7 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_list_command(app, action);
   add_segment_command(app, action);
   add_record_command(app, action);
+  add_replay_command(app, action);
   add_info_command(app, action);
   add_convert_command(app, action);
   add_recover_command(app, action);

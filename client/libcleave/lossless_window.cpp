@@ -1,9 +1,9 @@
-#include "sensor/grabber/lossless_window.hpp"
+#include "libcleave/lossless_window.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace cleave::sensor {
+namespace cleave {
 
 void LosslessWindow::update(Clock::time_point now, unsigned segmenters) {
   const bool is_back = std::exchange(segmenters_, segmenters) == 0 && segmenters > 0;
@@ -65,4 +65,4 @@ std::size_t LosslessWindow::sent() const {
       std::count_if(frames_.begin(), frames_.end(), [](const Entry& e) { return e.sent; }));
 }
 
-}  // namespace cleave::sensor
+}  // namespace cleave

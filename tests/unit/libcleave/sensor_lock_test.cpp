@@ -1,4 +1,4 @@
-#include "sensor/grabber/sensor_lock.hpp"
+#include "libcleave/sensor_lock.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace cleave::sensor {
+namespace cleave {
 namespace {
 
 // Of no other test and no grabber that may run on this machine.
@@ -85,4 +85,4 @@ TEST(SensorLock, IsPerSensorAndDomain) {
 }
 
 }  // namespace
-}  // namespace cleave::sensor
+}  // namespace cleave

@@ -8,9 +8,9 @@
 #include <deque>
 #include <optional>
 
-#include "sensor/grabber/frame_key.hpp"
+#include "libcleave/frame_key.hpp"
 
-namespace cleave::sensor {
+namespace cleave {
 
 // - Slow start: until a first segment list has come back one frame is in flight, for a reader that
 //   has just been matched may miss what is published at once.
@@ -60,4 +60,4 @@ class LosslessWindow {
   static constexpr std::chrono::seconds last_patience{16};
 };
 
-}  // namespace cleave::sensor
+}  // namespace cleave

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cleave::sensor {
+namespace cleave {
 
 // An abstract Unix socket by the name of the sensor: the kernel releases it when the process ends,
 // however it ends. (Containers with a network namespace of their own do not see each other's.)
@@ -20,4 +20,4 @@ class SensorLock {
   int socket_;
 };
 
-}  // namespace cleave::sensor
+}  // namespace cleave

@@ -5,14 +5,21 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
+#include "libcleave/lossless_window.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
-#include "sensor/grabber/cloud_publisher.hpp"
-#include "sensor/grabber/lossless_window.hpp"
+#include "libcleave/writer.hpp"
 
-namespace cleave::sensor {
+namespace cleave {
+
+// A published frame, kept because it may have to be published again.
+struct KeptFrame {
+  FrameHeader header;
+  std::vector<float> xyz;
+};
 
 class LosslessFlow {
  public:
@@ -21,7 +28,7 @@ class LosslessFlow {
   LosslessFlow(Stream& stream, const std::string& sensor, std::uint32_t window);
 
   // Takes the segment lists that have come in, and publishes again what is due.
-  void update(Clock::time_point now, CloudPublisher& publisher);
+  void update(Clock::time_point now, Writer<DepthCloud>& writer);
   // A new frame may be published: there is room, and a segmenter to tell when it is done.
   [[nodiscard]] bool ready() const { return segmenters() > 0 && window_.has_room(); }
   [[nodiscard]] unsigned segmenters() const { return segments_.live_writers(); }
@@ -36,4 +43,4 @@ class LosslessFlow {
   std::deque<KeptFrame> kept_;  // the frames of the window
 };
 
-}  // namespace cleave::sensor
+}  // namespace cleave

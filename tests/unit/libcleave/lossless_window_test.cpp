@@ -1,8 +1,8 @@
-#include "sensor/grabber/lossless_window.hpp"
+#include "libcleave/lossless_window.hpp"
 
 #include <gtest/gtest.h>
 
-namespace cleave::sensor {
+namespace cleave {
 namespace {
 
 using std::chrono::milliseconds;
@@ -151,4 +151,4 @@ TEST_F(Window, OfOneFrameSendsFrameByFrame) {
 }
 
 }  // namespace
-}  // namespace cleave::sensor
+}  // namespace cleave

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace cleave::sensor {
+namespace cleave {
 
 struct FrameKey {
   std::uint32_t epoch = 0;
@@ -11,4 +11,4 @@ struct FrameKey {
   bool operator==(const FrameKey&) const = default;
 };
 
-}  // namespace cleave::sensor
+}  // namespace cleave

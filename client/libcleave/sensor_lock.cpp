@@ -1,4 +1,4 @@
-#include "sensor/grabber/sensor_lock.hpp"
+#include "libcleave/sensor_lock.hpp"
 
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace cleave::sensor {
+namespace cleave {
 namespace {
 
 struct Address {
@@ -67,4 +67,4 @@ SensorLock::~SensorLock() {
   ::close(socket_);
 }
 
-}  // namespace cleave::sensor
+}  // namespace cleave
