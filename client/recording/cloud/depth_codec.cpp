@@ -70,6 +70,22 @@ std::size_t correct(std::span<const float> points, std::span<const float> wanted
   return differ;
 }
 
+// Most of it is 0.
+void apply(std::span<const std::uint8_t> correction, float* xyz) {
+  const std::size_t points = correction.size() / 3;
+  const auto is_set = [](std::uint8_t bits) { return bits != 0; };
+  auto at = correction.begin();
+  while ((at = std::find_if(at, correction.end(), is_set)) != correction.end()) {
+    const auto i = static_cast<std::size_t>(at - correction.begin());
+    float& coordinate = xyz[3 * (i % points) + i / points];
+    // Unsigned, for a damaged file may ask for any sum.
+    const std::int32_t bits = static_cast<std::int8_t>(*at);
+    coordinate = std::bit_cast<float>(std::bit_cast<std::uint32_t>(coordinate) +
+                                      static_cast<std::uint32_t>(bits));
+    ++at;
+  }
+}
+
 float to_half_pixel(float x) {
   return std::nearbyint(2 * x) / 2;
 }
@@ -133,13 +149,7 @@ void decode(const DepthImage& image, std::uint32_t width, std::uint32_t height, 
   if (image.correction.size() != 3 * points) {
     throw DataError("a cloud's correction is not of its size");
   }
-  for (std::size_t i = 0; i < 3 * points; ++i) {
-    const auto bits = static_cast<std::int8_t>(image.correction[(i % 3) * points + i / 3]);
-    if (bits == 0) continue;
-    // Unsigned, for a damaged file may ask for any sum.
-    xyz[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(xyz[i]) +
-                                  static_cast<std::uint32_t>(std::int32_t{bits}));
-  }
+  apply(image.correction, xyz);
 }
 
 }  // namespace cleave::recording

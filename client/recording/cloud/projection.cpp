@@ -46,17 +46,35 @@ void project_rays(const DepthView& image, const Intrinsics& k, float* xyz) {
   });
 }
 
+// Neighbours often have the same depth: what follows from it is kept.
+class LastDepth {
+ public:
+  template <class Compute>
+  float operator()(std::uint16_t depth_mm, const Compute& compute) {
+    if (depth_mm != depth_mm_) {
+      depth_mm_ = depth_mm;
+      value_ = compute(depth_mm);
+    }
+    return value_;
+  }
+
+ private:
+  std::uint16_t depth_mm_ = 0;
+  float value_ = 0;
+};
+
 template <class Round>
 void project_points(const DepthView& image, const Intrinsics& k, float* xyz, const Round& round) {
   const std::vector<float> column = offsets(image.width, k.cx, 1);
   const std::vector<float> row = offsets(image.height, k.cy, 1);
   const float per_fx = 1 / k.fx;
   const float per_fy = 1 / k.fy;
+  LastDepth rounded;
   for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
     const float z = depth_mm * metres_per_mm;
     out[0] = round((column[u] * z) * per_fx);
     out[1] = round((row[v] * z) * per_fy);
-    out[2] = round(z);
+    out[2] = rounded(depth_mm, [&](std::uint16_t mm) { return round(mm * metres_per_mm); });
   });
 }
 
@@ -66,11 +84,12 @@ void project_precisely(const DepthView& image, const Intrinsics& k, float* xyz,
   const auto slope = [](std::uint32_t i, float centre, float focal_length) {
     return (i - double{centre}) / double{focal_length};
   };
+  LastDepth rounded;
   for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
     const double z = depth_mm * 0.001;
     out[0] = round(slope(u, k.cx, k.fx) * z);
     out[1] = round(slope(v, k.cy, k.fy) * z);
-    out[2] = round(z);
+    out[2] = rounded(depth_mm, [&](std::uint16_t mm) { return round(mm * 0.001); });
   });
 }
 
