@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace cleave::client {
@@ -138,12 +139,12 @@ std::optional<GoldenFrame> GoldenFrames::take(const recording::FrameHeader& clou
 }
 
 std::size_t GoldenFrames::left() {
-  std::size_t gone = 0;
+  std::set<Key> left;  // only the keys: the frames may be many
   do {
-    gone += waiting_.size();
+    for (const auto& [key, frame] : waiting_) left.insert(key);
     waiting_.clear();
   } while (read_one());
-  return gone;
+  return left.size();
 }
 
 }  // namespace cleave::client
