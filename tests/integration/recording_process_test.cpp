@@ -26,8 +26,12 @@ struct Recorded {
 template <class Content>
 void add(std::vector<Content>& to, Frame& frame) {
   auto content = std::get<Content>(std::move(frame.content));
+  content.header.arrival_time_ns = 0;
   content.header.publication_time_ns = 0;
   if constexpr (!std::is_same_v<Content, recording::Cloud>) content.cloud_publication_time_ns = 0;
+  if constexpr (std::is_same_v<Content, recording::SegmentList>) {
+    content.cloud_reception_time_ns = 0;
+  }
   to.push_back(std::move(content));
 }
 

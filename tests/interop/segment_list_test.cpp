@@ -25,6 +25,8 @@ TEST(FastCdr, ReadsASegmentListOfARecording) {
   EXPECT_EQ(read.header().device_time_us(), list.header.device_time_us);
   EXPECT_STREQ(read.header().coordinate_frame().data(), list.header.coordinate_frame.c_str());
   EXPECT_EQ(read.cloud_publication_time_ns(), list.cloud_publication_time_ns);
+  EXPECT_EQ(read.header().arrival_time_ns(), list.header.arrival_time_ns);
+  EXPECT_EQ(read.cloud_reception_time_ns(), list.cloud_reception_time_ns);
   ASSERT_EQ(read.segments().size(), list.segments.size());
   for (std::size_t i = 0; i < list.segments.size(); ++i) {
     EXPECT_EQ(read.segments()[i].label(), list.segments[i].label);

@@ -86,6 +86,7 @@ recording::FrameHeader frame_of(const FrameHeader& h) {
   return {h.frame_id,
           h.epoch,
           h.capture_time_ns,
+          h.arrival_time_ns,
           h.publication_time_ns,
           h.device_time_us,
           h.width,
@@ -114,6 +115,7 @@ recording::SegmentList frame_of(const SegmentList& message) {
   recording::SegmentList list;
   list.header = frame_of(message.header);
   list.cloud_publication_time_ns = message.cloud_publication_time_ns;
+  list.cloud_reception_time_ns = message.cloud_reception_time_ns;
   list.outcome = static_cast<std::uint32_t>(message.outcome);
   for (const SegmentMessage& s : std::span(message.segments._buffer, message.segments._length)) {
     list.segments.push_back(frame_of(s));
@@ -141,6 +143,7 @@ void fill(FrameHeader& m, const recording::FrameHeader& h) {
   m.frame_id = h.frame_id;
   m.epoch = h.epoch;
   m.capture_time_ns = h.capture_time_ns;
+  m.arrival_time_ns = h.arrival_time_ns;
   m.publication_time_ns = h.publication_time_ns;
   m.device_time_us = h.device_time_us;
   m.width = h.width;
@@ -175,6 +178,7 @@ SegmentListMessage::SegmentListMessage(const recording::SegmentList& list) {
   }
   fill(message_.header, list.header);
   message_.cloud_publication_time_ns = list.cloud_publication_time_ns;
+  message_.cloud_reception_time_ns = list.cloud_reception_time_ns;
   message_.outcome = static_cast<cleave_v1_FrameOutcome>(list.outcome);
   lend(message_.segments, segments_);
   lend(message_.borders, borders_);

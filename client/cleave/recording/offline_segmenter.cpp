@@ -27,6 +27,7 @@ SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::
   result.labels.label.resize(header.points());
   result.list.header = header;
   result.list.cloud_publication_time_ns = header.publication_time_ns;
+  result.list.cloud_reception_time_ns = header.publication_time_ns;
   segmentation::Segmentation segmentation;
   const segmentation::CloudView view{
       .xyz = cloud.xyz.data(), .stride = 3, .width = header.width, .height = header.height};

@@ -83,6 +83,7 @@ bool SensorReplay::publish(const recording::Cloud& cloud) {
   fill(message, cloud);
   set_epoch(message.header);
   const std::int64_t time_ns = monotonic_now_ns();
+  message.header.arrival_time_ns = time_ns;
   message.header.publication_time_ns = time_ns;
   KeptFrame copy;
   if (flow_) copy = {message.header, cloud.xyz};
@@ -103,7 +104,8 @@ bool SensorReplay::publish(const recording::Labels& labels) {
   LabelMap& message = **loan;
   fill(message, labels);
   set_epoch(message.header);
-  message.cloud_publication_time_ns = cloud_time_ns(labels.header);
+  message.header.arrival_time_ns = cloud_time_ns(labels.header);
+  message.cloud_publication_time_ns = message.header.arrival_time_ns;
   message.header.publication_time_ns = monotonic_now_ns();
   return labels_->publish(std::move(*loan));
 }
@@ -112,7 +114,9 @@ bool SensorReplay::publish(const recording::SegmentList& list) {
   SegmentListMessage buffer(list);
   SegmentList& message = buffer.message();
   set_epoch(message.header);
-  message.cloud_publication_time_ns = cloud_time_ns(list.header);
+  message.header.arrival_time_ns = cloud_time_ns(list.header);
+  message.cloud_publication_time_ns = message.header.arrival_time_ns;
+  message.cloud_reception_time_ns = message.header.arrival_time_ns;
   message.header.publication_time_ns = monotonic_now_ns();
   return lists_->publish(message);
 }

@@ -16,10 +16,10 @@
 
 namespace cleave::client {
 
-// What is published equals what was recorded, but for the publication times, which are those of now
-// (a label map and a segment list name the new one of their cloud), and for the epoch in a second
-// pass, which rises. As the source of a sensor's clouds it holds the sensor's lock and publishes a
-// grabber's status.
+// What is published equals what was recorded, but for the times of CLOCK_MONOTONIC, which are those
+// of now (a label map and a segment list name the new ones of their cloud), and for the epoch in a
+// second pass, which rises. As the source of a sensor's clouds it holds the sensor's lock and
+// publishes a grabber's status.
 class SensorReplay {
  public:
   // `window`: lossless, so many clouds on their way to the segmenter at most. Throws

@@ -17,7 +17,8 @@ struct FrameHeader {
   std::uint64_t frame_id = 0;
   std::uint32_t epoch = 0;
   std::int64_t capture_time_ns = 0;      // wall clock
-  std::int64_t publication_time_ns = 0;  // CLOCK_MONOTONIC of the machine that published
+  std::int64_t arrival_time_ns = 0;      // CLOCK_MONOTONIC of the machine that recorded
+  std::int64_t publication_time_ns = 0;  // the same clock
   std::uint64_t device_time_us = 0;
   std::uint32_t width = 0;
   std::uint32_t height = 0;  // 1 = unorganised
@@ -70,6 +71,7 @@ struct Border {
 struct SegmentList {
   FrameHeader header;
   std::int64_t cloud_publication_time_ns = 0;
+  std::int64_t cloud_reception_time_ns = 0;
   std::uint32_t outcome = 0;  // the contract's FrameOutcome; 0 = segmented
   std::vector<Segment> segments;
   std::vector<Border> borders;

@@ -6,6 +6,7 @@
 
 #include "recording/cloud/depth_codec.hpp"
 #include "recording/frames/cloud_messages.hpp"
+#include "recording/frames/contract_check.hpp"
 #include "recording/frames/label_messages.hpp"
 #include "recording/frames/segment_list_message.hpp"
 
@@ -96,16 +97,33 @@ std::optional<Frame> FrameReader::add(const Message& message) {
     if (name == "depth/image") parts.depth = read_image(message.data);
     if (name == "depth/camera_info") parts.intrinsics = read_camera_info(message.data);
     if (name == "points") parts.points = read_point_cloud(message.data);
-    if (name == "cloud") return Frame{time_ns, complete_cloud(message, parts)};
+    if (name == "cloud") {
+      check_contract(*message.schema);
+      return Frame{time_ns, complete_cloud(message, parts)};
+    }
   }
   if (wants(Kind::labels)) {
     if (name == "labels/image") parts.labels = read_image(message.data);
-    if (name == "labels") return Frame{time_ns, complete_labels(message, parts)};
+    if (name == "labels") {
+      check_contract(*message.schema);
+      return Frame{time_ns, complete_labels(message, parts)};
+    }
   }
   if (wants(Kind::segments) && name == "segments") {
+    check_contract(*message.schema);
     return Frame{time_ns, read_segment_list(message.data)};
   }
   return std::nullopt;
+}
+
+void FrameReader::check_contract(const Schema& schema) {
+  const auto [known, is_new] = of_this_contract_.try_emplace(&schema);
+  if (is_new) known->second = is_of_this_contract(schema.text);
+  if (known->second) return;
+  throw DataError(
+      "it was recorded with another version of the contract (idl/cleave_v1.idl); replay it with "
+      "the "
+      "version of Cleave that recorded it");
 }
 
 Cloud FrameReader::complete_cloud(const Message& message, Parts& parts) const {

@@ -51,6 +51,7 @@ class FrameReader {
     std::optional<ReceivedImage> labels;
   };
   [[nodiscard]] std::optional<Frame> add(const Message& message);
+  void check_contract(const Schema& schema);
   [[nodiscard]] Cloud complete_cloud(const Message& message, Parts& parts) const;
   [[nodiscard]] static Labels complete_labels(const Message& message, Parts& parts);
   [[nodiscard]] bool wants(Kind kind) const { return selection_.kinds.contains(kind); }
@@ -58,7 +59,8 @@ class FrameReader {
   McapReader mcap_;
   Selection selection_;
   std::map<std::string, Parts> parts_;  // by sensor
-  std::vector<std::string> problems_;   // beyond the container's
+  std::map<const Schema*, bool> of_this_contract_;
+  std::vector<std::string> problems_;  // beyond the container's
 };
 
 // The sensors whose clouds, label maps or segment lists a complete recording holds; empty for one

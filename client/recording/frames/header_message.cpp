@@ -11,6 +11,7 @@ void write_header(CdrWriter& cdr, const FrameHeader& h) {
   cdr.number(h.frame_id);
   cdr.number(h.epoch);
   cdr.number(h.capture_time_ns);
+  cdr.number(h.arrival_time_ns);
   cdr.number(h.publication_time_ns);
   cdr.number(h.device_time_us);
   cdr.number(h.width);
@@ -25,6 +26,7 @@ FrameHeader read_header(CdrReader& cdr) {
   h.frame_id = cdr.number<std::uint64_t>();
   h.epoch = cdr.number<std::uint32_t>();
   h.capture_time_ns = cdr.number<std::int64_t>();
+  h.arrival_time_ns = cdr.number<std::int64_t>();
   h.publication_time_ns = cdr.number<std::int64_t>();
   h.device_time_us = cdr.number<std::uint64_t>();
   h.width = cdr.number<std::uint32_t>();

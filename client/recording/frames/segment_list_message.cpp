@@ -46,6 +46,7 @@ Bytes segment_list_message(const SegmentList& list) {
   CdrWriter cdr;
   write_header(cdr, list.header);
   cdr.number(list.cloud_publication_time_ns);
+  cdr.number(list.cloud_reception_time_ns);
   cdr.number(list.outcome);
   cdr.length(list.segments.size());
   for (const Segment& segment : list.segments) visit_fields(Write{cdr}, segment);
@@ -65,6 +66,7 @@ SegmentList read_segment_list(ByteView message) {
   SegmentList list;
   list.header = read_header(cdr);
   list.cloud_publication_time_ns = cdr.number<std::int64_t>();
+  list.cloud_reception_time_ns = cdr.number<std::int64_t>();
   list.outcome = cdr.number<std::uint32_t>();
   list.segments.resize(cdr.length(smallest_segment));
   for (Segment& segment : list.segments) visit_fields(Read{cdr}, segment);

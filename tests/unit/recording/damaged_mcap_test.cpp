@@ -23,7 +23,8 @@ void write_mutated(const std::filesystem::path& file, const std::filesystem::pat
   McapWriter writer(file);
   while (const auto message = reader.next()) {
     if (message->sequence != replaced.sequence) continue;
-    const auto schema = writer.add_schema(message->schema->name, message->schema->encoding, "");
+    const auto schema =
+        writer.add_schema(message->schema->name, message->schema->encoding, message->schema->text);
     const auto channel = writer.add_channel(schema, message->channel->topic, "cdr");
     const bool is_it = message->channel->id == replaced.channel->id;
     writer.write(channel, message->sequence, message->times, is_it ? data : message->data);

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "recording/frames/contract_check.hpp"
 #include "recording/frames/frame_reader.hpp"
 #include "recording/frames/frame_writer.hpp"
 #include "recording/frames/read_ahead.hpp"
+#include "recording/frames/segment_list_message.hpp"
+#include "recording/mcap/writer.hpp"
+#include "recording/schemas/schemas.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::recording {
@@ -94,6 +98,27 @@ TEST_F(FrameFile, HoldsOnlyTheSensorThatIsAskedFor) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->header().sensor, "other");
   EXPECT_FALSE(reader.next());
+}
+
+TEST_F(FrameFile, OfAnotherContractIsNotMisread) {
+  EXPECT_TRUE(is_of_this_contract(contract_schema));
+  EXPECT_TRUE(is_of_this_contract(recording_schema));
+  EXPECT_TRUE(is_of_this_contract("// another comment\n" + recording_schema));
+  std::string other = contract_schema;
+  const std::string field = "unsigned long epoch;";
+  other.replace(other.find(field), field.size(), "unsigned long long epoch;");
+  EXPECT_FALSE(is_of_this_contract(other));
+  EXPECT_FALSE(is_of_this_contract(""));
+
+  McapWriter writer(file_);
+  const auto schema = writer.add_schema("cleave::v1::SegmentList", "omgidl", other);
+  writer.write(writer.add_channel(schema, "cleave/camera/segments", "cdr"), 1, {1, 1},
+               segment_list_message(segment_list(1)));
+  writer.close();
+  FrameReader reader(file_);
+  EXPECT_FALSE(reader.next());
+  ASSERT_EQ(reader.problems().size(), 1U);
+  EXPECT_NE(reader.problems()[0].find("another version of the contract"), std::string::npos);
 }
 
 TEST_F(FrameFile, BeginsAgainWhenItLoops) {

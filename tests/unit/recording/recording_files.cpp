@@ -48,6 +48,7 @@ FrameHeader header(std::uint64_t frame_id, std::uint32_t width, std::uint32_t he
   h.frame_id = frame_id;
   h.epoch = 7;
   h.capture_time_ns = start_ns + static_cast<std::int64_t>(frame_id) * period_ns;
+  h.arrival_time_ns = 900 + static_cast<std::int64_t>(frame_id);
   h.publication_time_ns = 1000 + static_cast<std::int64_t>(frame_id);
   h.device_time_us = 33'333 * frame_id;
   h.width = width;
@@ -99,6 +100,7 @@ SegmentList segment_list(std::uint64_t frame_id) {
   SegmentList list;
   list.header = header(frame_id, 32, 24);
   list.cloud_publication_time_ns = 555;
+  list.cloud_reception_time_ns = 777;
   for (std::uint16_t label = 1; label <= 3; ++label) {
     const auto at = static_cast<float>(label);
     list.segments.push_back({label,
