@@ -1,5 +1,6 @@
 // A recorder that is killed at any moment loses what its last chunk would have held, and no more.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -68,6 +69,39 @@ TEST(KilledWriter, At50RandomMomentsLosesAtMostTheLastChunk) {
     }
   }
   EXPECT_GT(most, most_frames_a_chunk) << "no recorder lived long enough to tell anything";
+}
+
+// A disk that has room for `most_bytes`: writes beyond that fail. In a process of its own.
+[[noreturn]] void record_onto_full_disk(const std::filesystem::path& file, rlim_t most_bytes) {
+  const rlimit limit{most_bytes, most_bytes};
+  ::signal(SIGXFSZ, SIG_IGN);
+  if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(2);
+  FrameWriter writer(file, chunk_bytes);
+  try {
+    for (std::uint64_t id = 1;; ++id) {
+      writer.write({static_cast<std::int64_t>(id), depth_cloud(id)});
+    }
+  } catch (const FileError&) {
+    ::_exit(0);
+  }
+}
+
+TEST(FullDisk, LeavesWholeChunksAndNoHalfOfOne) {
+  for (const rlim_t most_bytes : {10'000U, 20'011U, 33'333U, 50'007U}) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "full.mcap";
+    const pid_t child = ::fork();
+    if (child == 0) record_onto_full_disk(file, most_bytes);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << most_bytes;
+    const McapReader reader(file);
+    EXPECT_TRUE(reader.problems().empty()) << "half a chunk was left behind";
+    EXPECT_FALSE(reader.contents().chunks.empty());
+    const std::vector<Frame> frames = read_frames(file);
+    ASSERT_FALSE(frames.empty());
+    EXPECT_EQ(frames.back().header().frame_id, frames.size());
+  }
 }
 
 }  // namespace
