@@ -7,7 +7,7 @@ namespace cleave::client {
 
 std::set<recording::Kind> kinds_of(const std::vector<std::string>& names) {
   using recording::Kind;
-  const std::set<Kind> all = {Kind::cloud, Kind::labels, Kind::segments};
+  std::set<Kind> all = {Kind::cloud, Kind::labels, Kind::segments};
   if (names.empty()) return all;
   std::set<Kind> kinds;
   for (const std::string& name : names) {

@@ -79,7 +79,7 @@ void apply(std::span<const std::uint8_t> correction, float* xyz) {
     const auto i = static_cast<std::size_t>(at - correction.begin());
     float& coordinate = xyz[3 * (i % points) + i / points];
     // Unsigned, for a damaged file may ask for any sum.
-    const std::int32_t bits = static_cast<std::int8_t>(*at);
+    const std::int32_t bits = *at < 128 ? *at : *at - 256;
     coordinate = std::bit_cast<float>(std::bit_cast<std::uint32_t>(coordinate) +
                                       static_cast<std::uint32_t>(bits));
     ++at;

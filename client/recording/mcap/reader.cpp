@@ -9,6 +9,18 @@ namespace {
 // Far beyond what recorders make; a size that lies must not cost more memory than that.
 constexpr std::uint64_t largest_chunk = std::uint64_t{256} << 20U;
 
+// Throws DataError.
+Block unpack(const std::string& compression, ByteView data, std::uint64_t plain_bytes) {
+  if (compression == "zstd") return zstd_decompress(data, static_cast<std::size_t>(plain_bytes));
+  if (!compression.empty()) {
+    throw DataError("its compression '" + compression +
+                    "' is not read; convert the file to zstd, e.g. with `mcap compress`");
+  }
+  Block block(data.size());
+  std::ranges::copy(data, block.bytes().begin());
+  return block;
+}
+
 // The chunk's records, with their CRC checked. Throws DataError.
 Block plain_records(ByteView content) {
   ByteSource source(content);
@@ -21,17 +33,7 @@ Block plain_records(ByteView content) {
     throw DataError("it announces " + std::to_string(plain_bytes) +
                     " bytes, more than a chunk has");
   }
-  if (!compression.empty() && compression != "zstd") {
-    throw DataError("its compression '" + compression +
-                    "' is not read; convert the file to zstd, e.g. with `mcap compress`");
-  }
-  Block block;
-  if (compression == "zstd") {
-    block = zstd_decompress(data, static_cast<std::size_t>(plain_bytes));
-  } else {
-    block = {std::make_unique_for_overwrite<std::byte[]>(data.size()), data.size()};
-    std::ranges::copy(data, block.bytes.get());
-  }
+  Block block = unpack(compression, data, plain_bytes);
   if (crc != 0 && crc32_of(block.view()) != crc) throw DataError("its CRC is wrong");
   return block;
 }

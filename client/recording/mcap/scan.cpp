@@ -27,9 +27,9 @@ std::optional<std::uint64_t> find_chunk(const InputFile& file, std::uint64_t off
   for (std::uint64_t at = offset + name_offset; at + name.size() <= file.size();
        at += window - name.size()) {
     const Bytes bytes = file.read(at, std::min(window, file.size() - at));
-    const auto found = std::ranges::search(bytes, name);
-    if (found.empty()) continue;
-    return at + static_cast<std::uint64_t>(found.begin() - bytes.begin()) - name_offset;
+    const auto found = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    if (found == bytes.end()) continue;
+    return at + static_cast<std::uint64_t>(found - bytes.begin()) - name_offset;
   }
   return std::nullopt;
 }

@@ -24,10 +24,17 @@ class ZstdCompressor {
 };
 
 // Memory that is not touched until something is written there: a size that lies costs nothing.
-struct Block {
-  std::unique_ptr<std::byte[]> bytes;
-  std::size_t size = 0;
-  [[nodiscard]] ByteView view() const { return {bytes.get(), size}; }
+class Block {
+ public:
+  Block() = default;
+  explicit Block(std::size_t size)
+      : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {}
+  [[nodiscard]] std::span<std::byte> bytes() { return {bytes_.get(), size_}; }
+  [[nodiscard]] ByteView view() const { return {bytes_.get(), size_}; }
+
+ private:
+  std::unique_ptr<std::byte[]> bytes_;
+  std::size_t size_ = 0;
 };
 
 // Throws DataError unless the result has exactly `plain_bytes`.
