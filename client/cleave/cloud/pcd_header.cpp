@@ -53,7 +53,7 @@ HeaderLines split_header(std::istream& stream, const Refusal& refuse) {
     if (!(words >> key) || key.front() == '#') continue;
     // PCL stops at a line that it does not know, and then reads points from anywhere.
     if (std::find(keywords.begin(), keywords.end(), key) == keywords.end()) {
-      refuse("a header line begins with none of PCD's words; the file is damaged, or no PCD");
+      refuse("is no PCD file, or is damaged: a header line begins with none of PCD's words");
     }
     Words& values = lines.values[key];
     if (!values.empty()) refuse("the header has two lines " + key + "; write the file anew");

@@ -148,8 +148,9 @@ void add_replay_command(CLI::App& app, Action& action) {
       "  cleave replay --lossless --as-fast-as-possible run.mcap\n"
       "\n"
       "What is published equals what was recorded, epochs and frame ids included; only the\n"
-      "times of arrival and publication are new, and epochs rise when a loop begins again. Waits for a first\n"
-      "reader. Recorded labels and segments are refused while a segmenter publishes its own.\n"
+      "times of arrival and publication are new, and epochs rise when a loop begins again. Waits\n"
+      "for a first reader. Recorded labels and segments are refused while a segmenter publishes\n"
+      "its own.\n"
       "Exit code 1: part of the file is damaged and was left out.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
