@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sensor/mcap_source.hpp"
 #include "sensor/oni_source.hpp"
 #include "sensor/pcd_source.hpp"
 
@@ -19,7 +20,8 @@ constexpr char sources[] =
     "  openni2:serial=N  the camera with this serial number\n"
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
     "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings\n"
-    "  oni:FILE          a recording by OpenNI, e.g. oni:table.oni";
+    "  oni:FILE          a recording by OpenNI, e.g. oni:table.oni\n"
+    "  mcap:FILE         a recording by `cleave record`, e.g. mcap:run.mcap";
 
 // The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
 std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
@@ -46,10 +48,7 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
     if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
-    if (scheme == "mcap") {
-      throw std::invalid_argument("source '" + uri + "': " + scheme +
-                                  ": is not supported in this version. " + sources);
-    }
+    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
 }

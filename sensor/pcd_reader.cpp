@@ -9,7 +9,7 @@
 #include <limits>
 #include <string_view>
 
-#include "sensor/fit_intrinsics.hpp"
+#include "recording/cloud/fit_intrinsics.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -82,7 +82,9 @@ std::variant<PointCloud, PcdProblem> read_pcd(const std::filesystem::path& file)
     return PcdProblem{"damaged data", "fewer points were decoded than the header tells"};
   }
   PointCloud result{cloud.width, cloud.height, points_of(cloud), {}};
-  result.intrinsics = fit_intrinsics(result.xyz.data(), result.width, result.height);
+  const recording::Intrinsics fit =
+      recording::fit_intrinsics(result.xyz.data(), result.width, result.height);
+  result.intrinsics = {fit.fx, fit.fy, fit.cx, fit.cy};
   return result;
 }
 

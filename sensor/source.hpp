@@ -30,6 +30,8 @@ struct Frame {
   // The first frame after a restart of the recording or of the sensor's clock.
   bool begins_epoch = false;
   std::int64_t arrival_time_ns = 0;  // CLOCK_MONOTONIC; the grabber's, not the source's, to set
+  // Of a recording with a timing of its own: from this frame to the next one.
+  std::optional<std::chrono::nanoseconds> until_next = {};
 };
 
 enum class Poll {

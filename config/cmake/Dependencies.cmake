@@ -19,6 +19,7 @@ cleave_find(spdlog libspdlog-dev)
 cleave_find(CLI11 libcli11-dev)
 cleave_find(nlohmann_json nlohmann-json3-dev)
 cleave_find(PNG libpng-dev)
+cleave_find(ZLIB zlib1g-dev)
 
 # These bring no CMake package in Debian 12, or (PCL) one that drags in VTK and Qt.
 macro(cleave_require variable what debian_package)
@@ -47,6 +48,14 @@ cleave_require(AMD_LIBRARY "AMD" libsuitesparse-dev)
 add_library(cleave_amd INTERFACE)
 target_include_directories(cleave_amd SYSTEM INTERFACE "${AMD_INCLUDE_DIR}")
 target_link_libraries(cleave_amd INTERFACE "${AMD_LIBRARY}")
+
+find_path(ZSTD_INCLUDE_DIR zstd.h)
+find_library(ZSTD_LIBRARY zstd)
+cleave_require(ZSTD_INCLUDE_DIR "zstd" libzstd-dev)
+cleave_require(ZSTD_LIBRARY "zstd" libzstd-dev)
+add_library(cleave_zstd INTERFACE)
+target_include_directories(cleave_zstd SYSTEM INTERFACE "${ZSTD_INCLUDE_DIR}")
+target_link_libraries(cleave_zstd INTERFACE "${ZSTD_LIBRARY}")
 
 find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.12)
 find_library(PCL_COMMON_LIBRARY pcl_common)

@@ -1,6 +1,5 @@
 #include "sensor/grabber/cloud_publisher.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -38,15 +37,6 @@ Publication CloudPublisher::publish(const Frame& frame, FrameKey key, Source& so
     copy->xyz.assign((*cloud)->xyz, (*cloud)->xyz + 3 * point_count(header));
   }
   header.publication_time_ns = monotonic_now_ns();
-  return writer_.publish(std::move(*cloud)) ? Publication::done : Publication::refused;
-}
-
-Publication CloudPublisher::publish_again(const KeptFrame& frame) {
-  std::optional<Loan<DepthCloud>> cloud = writer_.loan();
-  if (!cloud) return Publication::no_free_chunk;
-  (*cloud)->header = frame.header;
-  std::copy(frame.xyz.begin(), frame.xyz.end(), (*cloud)->xyz);
-  (*cloud)->header.publication_time_ns = monotonic_now_ns();
   return writer_.publish(std::move(*cloud)) ? Publication::done : Publication::refused;
 }
 

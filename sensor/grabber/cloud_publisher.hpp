@@ -2,23 +2,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "libcleave/frame_key.hpp"
+#include "libcleave/lossless_flow.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
 #include "libcleave/writer.hpp"
-#include "sensor/grabber/frame_key.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
 
 enum class Publication { done, no_free_chunk, refused };
-
-// A published frame, kept because it may have to be published again.
-struct KeptFrame {
-  FrameHeader header;
-  std::vector<float> xyz;
-};
 
 class CloudPublisher {
  public:
@@ -30,8 +24,9 @@ class CloudPublisher {
   // also put there.
   [[nodiscard]] Publication publish(const Frame& frame, FrameKey key, Source& source,
                                     KeptFrame* copy);
-  [[nodiscard]] Publication publish_again(const KeptFrame& frame);
 
+  // For frames that must be published again.
+  [[nodiscard]] Writer<DepthCloud>& writer() { return writer_; }
   [[nodiscard]] unsigned readers() const { return writer_.matched_readers(); }
   [[nodiscard]] bool zero_copy() const { return writer_.zero_copy(); }
 

@@ -16,6 +16,7 @@ constexpr char examples[] =
     "  synthetic:SCENE   the synthetic camera\n"
     "  pcd:PATH          a point cloud, or a folder of them in natural order\n"
     "  oni:FILE          a recording by OpenNI\n"
+    "  mcap:FILE         a recording by `cleave record`, in its own timing\n"
     "\n"
     "Examples:\n"
     "  cleave-grabber --config grabber.yaml\n"

@@ -7,8 +7,8 @@
 #include <map>
 #include <string>
 
+#include "libcleave/frame_key.hpp"
 #include "libcleave/status.hpp"
-#include "sensor/grabber/frame_key.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {

@@ -83,7 +83,7 @@ void Grabber::step() {
 }
 
 void Grabber::update(Clock::time_point now) {
-  if (flow_) flow_->update(now, publisher_);
+  if (flow_) flow_->update(now, publisher_.writer());
   supervisor_.update(now);
 }
 
@@ -109,7 +109,7 @@ void Grabber::take_frame() {
     case Poll::frame:
       frame.arrival_time_ns = monotonic_now_ns();
       if (frame.begins_epoch) book_.begin_epoch();
-      pacer_.advance(Clock::now());
+      pacer_.advance(Clock::now(), flow_ ? std::nullopt : frame.until_next);
       handle(frame);
       break;
     case Poll::timeout:

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "libcleave/logging.hpp"
+#include "libcleave/lossless_flow.hpp"
 #include "libcleave/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/wait_set.hpp"
 #include "sensor/grabber/cloud_publisher.hpp"
 #include "sensor/grabber/frame_book.hpp"
-#include "sensor/grabber/lossless_flow.hpp"
 #include "sensor/grabber/pacer.hpp"
 #include "sensor/grabber/source_link.hpp"
 #include "sensor/grabber/supervisor.hpp"

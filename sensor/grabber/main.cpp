@@ -8,11 +8,11 @@
 
 #include "libcleave/logging.hpp"
 #include "libcleave/restart.hpp"
+#include "libcleave/sensor_lock.hpp"
 #include "libcleave/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "sensor/grabber/command_line.hpp"
 #include "sensor/grabber/grabber.hpp"
-#include "sensor/grabber/sensor_lock.hpp"
 #include "sensor/make_source.hpp"
 
 namespace cleave::sensor {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 namespace cleave::sensor {
 
@@ -20,8 +21,10 @@ class Pacer {
   [[nodiscard]] Clock::duration until_due(Clock::time_point now) const {
     return std::max(next_ - now, Clock::duration::zero());
   }
-  // A frame was handed out.
-  void advance(Clock::time_point now) { next_ = (now - next_ > period_ ? now : next_) + period_; }
+  // A frame was handed out, and the next one is due a period later, or after `until_next`.
+  void advance(Clock::time_point now, std::optional<Clock::duration> until_next = std::nullopt) {
+    next_ = (now - next_ > period_ ? now : next_) + until_next.value_or(period_);
+  }
 
  private:
   Clock::duration period_;

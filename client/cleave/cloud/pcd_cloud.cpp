@@ -68,6 +68,21 @@ PcdCloud PcdCloud::read(const std::filesystem::path& file) {
   return cloud;
 }
 
+PcdCloud PcdCloud::of_points(std::span<const float> xyz, std::uint32_t width,
+                             std::uint32_t height) {
+  PcdCloud cloud;
+  for (const char* name : {"x", "y", "z"}) {
+    cloud.header_.fields.push_back({name, 'F', sizeof(float), 1});
+  }
+  cloud.header_.width = width;
+  cloud.header_.height = height;
+  cloud.header_.encoding = PcdEncoding::binary;
+  cloud.xyz_.assign(xyz.begin(), xyz.end());
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(xyz.data());
+  cloud.data_.assign(bytes, bytes + xyz.size_bytes());
+  return cloud;
+}
+
 segmentation::CloudView PcdCloud::view() const {
   return {.xyz = xyz_.data(), .stride = 3, .width = header_.width, .height = header_.height};
 }

@@ -18,6 +18,10 @@ class PcdCloud {
   // x, y, z of floating point. Never allocates more than the file's size justifies.
   [[nodiscard]] static PcdCloud read(const std::filesystem::path& file);
 
+  // A cloud of nothing but points, to be written as `binary`: 3 floats each, `width` * `height`.
+  [[nodiscard]] static PcdCloud of_points(std::span<const float> xyz, std::uint32_t width,
+                                          std::uint32_t height);
+
   [[nodiscard]] const PcdHeader& header() const { return header_; }
   // x, y, z of every point in metres, in the file's order; lives as long as this.
   [[nodiscard]] segmentation::CloudView view() const;

@@ -1,6 +1,7 @@
 #include "cleave/cloud/pcd_header.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -17,6 +18,9 @@ namespace {
 
 constexpr std::size_t longest_header_bytes = std::size_t{64} * 1024;
 constexpr std::size_t largest_point_bytes = std::size_t{64} * 1024;
+
+constexpr std::array<std::string_view, 10> keywords = {
+    "VERSION", "FIELDS", "SIZE", "TYPE", "COUNT", "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
 
 using Words = std::vector<std::string>;
 
@@ -47,6 +51,10 @@ HeaderLines split_header(std::istream& stream, const Refusal& refuse) {
     std::istringstream words(line);
     std::string key;
     if (!(words >> key) || key.front() == '#') continue;
+    // PCL stops at a line that it does not know, and then reads points from anywhere.
+    if (std::find(keywords.begin(), keywords.end(), key) == keywords.end()) {
+      refuse("is no PCD file, or is damaged: a header line begins with none of PCD's words");
+    }
     Words& values = lines.values[key];
     if (!values.empty()) refuse("the header has two lines " + key + "; write the file anew");
     for (std::string word; words >> word;) values.push_back(word);

@@ -3,22 +3,30 @@
 #include <CLI/CLI.hpp>
 
 #include "cleave/commands/bench_command.hpp"
+#include "cleave/commands/convert_command.hpp"
 #include "cleave/commands/echo_command.hpp"
 #include "cleave/commands/hz_command.hpp"
+#include "cleave/commands/info_command.hpp"
 #include "cleave/commands/list_command.hpp"
+#include "cleave/commands/record_command.hpp"
+#include "cleave/commands/recover_command.hpp"
+#include "cleave/commands/replay_command.hpp"
 #include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
+#include "cleave/commands/verify_command.hpp"
 #include "cleave/commands/watch_command.hpp"
 
 namespace cleave::client {
 
 void describe_command_line(CLI::App& app, Action& action) {
   app.name("cleave");
-  app.description("Looks at a stream of depth segments, and segments recorded clouds.");
+  app.description(
+      "Looks at a stream of depth segments, records and replays it, and segments clouds.");
   app.footer(
       "Examples:\n"
       "  cleave status                       what runs, and how well\n"
       "  cleave watch                        every frame of the only sensor, until it ends\n"
+      "  cleave record run.mcap              the live stream into a file\n"
       "  cleave segment in.pcd out.pcd       one recorded cloud\n"
       "  cleave COMMAND --help               more on each command\n"
       "\n"
@@ -31,6 +39,12 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_hz_command(app, action);
   add_list_command(app, action);
   add_segment_command(app, action);
+  add_record_command(app, action);
+  add_replay_command(app, action);
+  add_verify_command(app, action);
+  add_info_command(app, action);
+  add_convert_command(app, action);
+  add_recover_command(app, action);
   add_bench_command(app, action);
 }
 

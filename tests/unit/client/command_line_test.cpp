@@ -30,7 +30,7 @@ TEST(CommandLine, GivesAnExampleForEveryCommand) {
   Action action;
   describe_command_line(app, action);
   const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-  EXPECT_EQ(commands.size(), 7U);
+  EXPECT_EQ(commands.size(), 13U);
   for (CLI::App* command : commands) {
     const std::string help = command->help();
     EXPECT_NE(help.find("Examples:\n  cleave " + command->get_name()), std::string::npos) << help;
@@ -41,6 +41,13 @@ TEST(CommandLine, GivesAnExampleForEveryCommand) {
 
 TEST(CommandLine, UnderstandsEachCommand) {
   EXPECT_EQ(parse({"list", "--json"}), 0);
+  EXPECT_EQ(parse({"record", "--topics", "cloud,labels", "--duration", "5", "out.mcap"}), 0);
+  EXPECT_EQ(parse({"replay", "in.mcap", "--rate", "2", "--start", "1", "--end", "3"}), 0);
+  EXPECT_EQ(parse({"replay", "in.mcap", "--as-fast-as-possible", "--loop", "--lossless"}), 0);
+  EXPECT_EQ(parse({"verify", "in.mcap", "--expect", "golden.mcap", "--workers", "4"}), 0);
+  EXPECT_EQ(parse({"info", "in.mcap", "--json"}), 0);
+  EXPECT_EQ(parse({"recover", "in.mcap", "out.mcap"}), 0);
+  EXPECT_EQ(parse({"convert", "in.mcap", "out"}), 0);
   EXPECT_EQ(parse({"echo", "--sensor", "camera", "--frames", "3"}), 0);
   EXPECT_EQ(parse({"hz", "--duration", "2.5"}), 0);
   EXPECT_EQ(parse({"status", "--watch", "--domain", "7"}), 0);

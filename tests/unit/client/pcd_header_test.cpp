@@ -66,6 +66,11 @@ TEST(PcdHeader, IsMissingInWhatIsNoPcdFile) {
   expect_refused(std::string(1 << 20, 'x'), "is no PCD file");
 }
 
+// PCL stops reading there, and crashes.
+TEST(PcdHeader, RefusesALineThatPclDoesNotKnow) {
+  expect_refused("VERSIOZ 0.7\n" + Header().text() + two_points, "none of PCD's words");
+}
+
 TEST(PcdHeader, NamesWhatIsMissing) {
   Header header;
   header.fields = "";

@@ -22,6 +22,14 @@ TEST(Pacer, SpacesFramesByThePeriod) {
   EXPECT_EQ(pacer.until_due(start + milliseconds(130)), milliseconds(0));
 }
 
+TEST(Pacer, KeepsTheTimingOfARecording) {
+  Pacer pacer(10);
+  pacer.advance(start, milliseconds(40));
+  EXPECT_EQ(pacer.until_due(start), milliseconds(40));
+  pacer.advance(start + milliseconds(40), milliseconds(250));
+  EXPECT_EQ(pacer.until_due(start + milliseconds(40)), milliseconds(250));
+}
+
 TEST(Pacer, MakesUpForLatenessOfLessThanAPeriod) {
   Pacer pacer(10);
   pacer.advance(start);

@@ -1,0 +1,65 @@
+#include "cleave/commands/convert_command.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cleave/commands/live_options.hpp"
+#include "cleave/console/live_line.hpp"
+#include "cleave/console/terminal.hpp"
+#include "cleave/recording/frame_sink.hpp"
+#include "cleave/recording/frame_source.hpp"
+
+namespace cleave::client {
+namespace {
+
+struct ConvertOptions {
+  std::string input;
+  std::string output;
+  LiveOptions sensor;
+};
+
+int run(const ConvertOptions& options) {
+  const std::string& sensor = options.sensor.sensor;
+  const auto source = open_frame_source(options.input, sensor.empty() ? "camera" : sensor);
+  const auto sink = open_frame_sink(options.output);
+  const bool terminal = is_terminal(STDERR_FILENO);
+  LiveLine line(std::cerr, terminal ? terminal_columns(STDERR_FILENO) : 0);
+  std::size_t frames = 0;
+  while (auto frame = source->next()) {
+    sink->write(std::move(*frame));
+    ++frames;
+    if (terminal) line.show(std::to_string(frames) + " frames");
+  }
+  sink->close();
+  line.erase();
+  std::cout << options.output << ": " << frames << " frames";
+  if (source->skipped() > 0) std::cout << ", " << source->skipped() << " could not be read";
+  std::cout << '\n';
+  return frames > 0 && source->skipped() == 0 ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = app.add_subcommand("convert", "Between MCAP recordings and PCD files");
+  command->add_option("INPUT", options->input, "recording (.mcap), PCD file, or folder of them")
+      ->required();
+  command->add_option("OUTPUT", options->output, "recording (.mcap), or a folder for PCD files")
+      ->required();
+  add_sensor_option(*command, options->sensor);
+  command->footer(
+      "Examples:\n"
+      "  cleave convert scenes/ scenes.mcap\n"
+      "  cleave convert run.mcap run_pcd/\n"
+      "\n"
+      "PCD files become frames of the sensor `camera` (--sensor) at 30 frames a second. Frames\n"
+      "become frame_000001.pcd, ..., with the field label where label maps were recorded. What\n"
+      "cannot be read is named, left out, and makes the exit code 1.");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave convert`: recordings from one format to another.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_convert_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave info`: what a recording holds.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_info_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave record`: the live stream into a file.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_record_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

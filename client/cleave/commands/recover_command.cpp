@@ -1,0 +1,51 @@
+#include "cleave/commands/recover_command.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "cleave/recording/frame_sink.hpp"
+#include "recording/mcap/recover.hpp"
+
+namespace cleave::client {
+namespace {
+
+struct RecoverOptions {
+  std::string damaged;
+  std::string output;
+};
+
+int run(const RecoverOptions& options) {
+  refuse_existing(options.output);
+  const recording::Recovery recovery = recording::recover(options.damaged, options.output);
+  for (const std::string& problem : recovery.problems) spdlog::warn("lost: {}", problem);
+  if (recovery.messages == 0) {
+    std::filesystem::remove(options.output);
+    throw std::runtime_error(options.damaged + ": no message of it is intact; nothing was written");
+  }
+  std::cout << options.output << ": " << recovery.messages << " messages, "
+            << recovery.problems.size() << " damaged places left out\n";
+  return exit_done;
+}
+
+}  // namespace
+
+void add_recover_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RecoverOptions>();
+  CLI::App* command =
+      app.add_subcommand("recover", "Makes a whole recording of what is left of a damaged one");
+  command->add_option("DAMAGED", options->damaged, "MCAP file, cut off or damaged")->required();
+  command->add_option("OUTPUT", options->output, "MCAP file to write")->required();
+  command->footer(
+      "Examples:\n"
+      "  cleave recover cut_off.mcap whole.mcap\n"
+      "\n"
+      "Every chunk whose checksum is right is kept. A recorder that was killed, or that met a "
+      "full\n"
+      "disk, loses at most the last chunk: a second, or 4 MB before compression.");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace cleave::client

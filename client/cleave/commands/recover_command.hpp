@@ -1,0 +1,10 @@
+// `cleave recover`: what is left of a damaged recording.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_recover_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

@@ -1,0 +1,10 @@
+// `cleave replay`: a recording onto the stream.
+#pragma once
+
+#include "cleave/commands/command.hpp"
+
+namespace cleave::client {
+
+void add_replay_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::client

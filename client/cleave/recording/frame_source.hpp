@@ -1,0 +1,38 @@
+// Where `cleave convert` takes frames from. A new kind of input is one more file here, and a line
+// in open_frame_source().
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "recording/frames/frame.hpp"
+
+namespace cleave::client {
+
+class FrameSource {
+ public:
+  FrameSource() = default;
+  virtual ~FrameSource() = default;
+  FrameSource(const FrameSource&) = delete;
+  FrameSource& operator=(const FrameSource&) = delete;
+
+  // Empty at the end. Throws when nothing more can be read.
+  [[nodiscard]] virtual std::optional<recording::Frame> next() = 0;
+  // What could not be read and was passed over, so far.
+  [[nodiscard]] virtual std::size_t skipped() const = 0;
+};
+
+// By the path's kind: an MCAP file, a PCD file or a folder of them. `sensor` names what has no name
+// of its own. Throws UsageError for any other kind, std::runtime_error for what cannot be opened.
+[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
+                                                             const std::string& sensor);
+
+// One for each kind.
+[[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path);
+[[nodiscard]] std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
+                                                    const std::string& sensor);
+
+}  // namespace cleave::client

@@ -1,0 +1,61 @@
+#include "cleave/recording/offline_segmenter.hpp"
+
+#include <atomic>
+#include <thread>
+
+#include "cleave/recording/contract_frames.hpp"
+
+namespace cleave::client {
+namespace {
+
+std::uint32_t wire_outcome(segmentation::Outcome outcome) {
+  switch (outcome) {
+    case segmentation::Outcome::segmented:
+      return cleave_v1_OUTCOME_SEGMENTED;
+    case segmentation::Outcome::bad_size:
+      return cleave_v1_OUTCOME_REJECTED_BAD_SIZE;
+    case segmentation::Outcome::no_finite_point:
+      break;
+  }
+  return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
+}
+
+SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::Cloud& cloud) {
+  const recording::FrameHeader& header = cloud.header;
+  SegmentedCloud result;
+  result.labels = {header, header.publication_time_ns, {}};
+  result.labels.label.resize(header.points());
+  result.list.header = header;
+  result.list.cloud_publication_time_ns = header.publication_time_ns;
+  result.list.cloud_reception_time_ns = header.publication_time_ns;
+  segmentation::Segmentation segmentation;
+  const segmentation::CloudView view{
+      .xyz = cloud.xyz.data(), .stride = 3, .width = header.width, .height = header.height};
+  result.list.outcome = wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
+  set_segments(result.list, segmentation);
+  return result;
+}
+
+}  // namespace
+
+OfflineSegmenter::OfflineSegmenter(const segmentation::Options& options, std::size_t workers) {
+  for (std::size_t i = 0; i < workers; ++i) segmenters_.emplace_back(options);
+}
+
+std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<const recording::Cloud> clouds) {
+  std::vector<SegmentedCloud> results(clouds.size());
+  std::atomic<std::size_t> next{0};
+  {
+    std::vector<std::jthread> threads;
+    for (segmentation::Segmenter& segmenter : segmenters_) {
+      threads.emplace_back([&, worker = &segmenter] {
+        for (std::size_t i = next++; i < clouds.size(); i = next++) {
+          results[i] = segment_one(*worker, clouds[i]);
+        }
+      });
+    }
+  }
+  return results;
+}
+
+}  // namespace cleave::client

@@ -1,0 +1,45 @@
+// A recording through the segmentation, against what is known to be right.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cleave/recording/golden.hpp"
+
+namespace cleave::client {
+
+struct FrameDifference {
+  recording::FrameHeader header;
+  std::vector<std::string> lines;
+};
+
+struct VerificationResult {
+  std::size_t frames = 0;  // clouds of the recording
+  std::size_t different = 0;
+  std::size_t not_expected = 0;       // clouds that the golden recording does not know
+  std::size_t missing = 0;            // frames of the golden recording without a cloud
+  std::vector<std::string> problems;  // damage of the files
+  [[nodiscard]] bool passed() const {
+    return frames > 0 && different + not_expected + missing == 0 && problems.empty();
+  }
+};
+
+// Segments every cloud of `input`, and tells of each frame that differs. `on_progress` is told how
+// many frames are done. Throws recording::FileError.
+[[nodiscard]] VerificationResult verify(
+    const std::filesystem::path& input, const std::filesystem::path& golden,
+    OfflineSegmenter& segmenter, const Tolerances& tolerances,
+    const std::function<void(const FrameDifference&)>& on_difference,
+    const std::function<void(std::size_t)>& on_progress);
+
+// Segments every cloud of `input` and writes labels and segments to `golden`, which appears whole
+// or not at all. The same clouds make the same file. Returns the number of frames.
+std::size_t write_golden(const std::filesystem::path& input, const std::filesystem::path& golden,
+                         OfflineSegmenter& segmenter,
+                         const std::function<void(std::size_t)>& on_progress);
+
+}  // namespace cleave::client

@@ -1,0 +1,95 @@
+// What recordings hold, free of any transport: the contract's types in plain C++.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace cleave::recording {
+
+inline constexpr std::size_t capacity_points = std::size_t{640} * 480;  // of the contract
+
+// As the contract's FrameHeader.
+struct FrameHeader {
+  std::uint64_t frame_id = 0;
+  std::uint32_t epoch = 0;
+  std::int64_t capture_time_ns = 0;      // wall clock
+  std::int64_t arrival_time_ns = 0;      // CLOCK_MONOTONIC of the machine that recorded
+  std::int64_t publication_time_ns = 0;  // the same clock
+  std::uint64_t device_time_us = 0;
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;  // 1 = unorganised
+  float fx = 0;              // pixels; all 0 = not an image
+  float fy = 0;
+  float cx = 0;
+  float cy = 0;
+  std::string sensor;            // at most 63 characters
+  std::string coordinate_frame;  // at most 63 characters
+  bool operator==(const FrameHeader&) const = default;
+
+  [[nodiscard]] std::uint64_t points() const { return std::uint64_t{width} * height; }
+};
+
+// Points x, y, z in metres, row-major, optical frame; NaN = no measurement.
+struct Cloud {
+  FrameHeader header;
+  std::vector<float> xyz;  // 3 * points
+};
+
+// 0 = no segment.
+struct Labels {
+  FrameHeader header;
+  std::int64_t cloud_publication_time_ns = 0;
+  std::vector<std::uint16_t> label;  // one a point
+  bool operator==(const Labels&) const = default;
+};
+
+struct Segment {
+  std::uint16_t label = 0;
+  std::uint32_t point_count = 0;
+  std::array<float, 3> centroid{};
+  std::array<float, 3> mean_normal{};
+  std::array<float, 3> box_centre{};
+  std::array<float, 4> box_orientation{};  // x, y, z, w
+  std::array<float, 3> box_extent{};
+  std::array<std::uint32_t, 4> rectangle{};  // left, top, right, bottom
+  float planarity = 0;
+  bool operator==(const Segment&) const = default;
+};
+
+struct Border {
+  std::uint16_t first = 0;
+  std::uint16_t second = 0;
+  bool convex = false;
+  bool operator==(const Border&) const = default;
+};
+
+// As the contract's SegmentList.
+struct SegmentList {
+  FrameHeader header;
+  std::int64_t cloud_publication_time_ns = 0;
+  std::int64_t cloud_reception_time_ns = 0;
+  std::uint32_t outcome = 0;  // the contract's FrameOutcome; 0 = segmented
+  std::vector<Segment> segments;
+  std::vector<Border> borders;
+  float queue_ms = 0;
+  float segmentation_ms = 0;
+  bool operator==(const SegmentList&) const = default;
+};
+
+enum class Kind { cloud, labels, segments };
+
+struct Frame {
+  std::int64_t log_time_ns = 0;  // when it was recorded, wall clock
+  std::variant<Cloud, Labels, SegmentList> content;
+
+  [[nodiscard]] Kind kind() const { return static_cast<Kind>(content.index()); }
+  [[nodiscard]] const FrameHeader& header() const {
+    return std::visit([](const auto& c) -> const FrameHeader& { return c.header; }, content);
+  }
+};
+
+}  // namespace cleave::recording

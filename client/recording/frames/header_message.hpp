@@ -1,0 +1,15 @@
+// The contract's FrameHeader as CDR.
+#pragma once
+
+#include "recording/cdr/cdr.hpp"
+#include "recording/frames/frame.hpp"
+
+namespace cleave::recording {
+
+// Throws DataError if a name has more than 63 characters.
+void write_header(CdrWriter& cdr, const FrameHeader& header);
+
+// Throws DataError: too short, a name without end, or a size beyond the contract's capacity.
+[[nodiscard]] FrameHeader read_header(CdrReader& cdr);
+
+}  // namespace cleave::recording

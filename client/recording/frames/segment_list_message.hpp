@@ -1,0 +1,13 @@
+// The contract's SegmentList as CDR: the bytes that DDS puts on the wire.
+#pragma once
+
+#include "recording/frames/frame.hpp"
+#include "recording/mcap/bytes.hpp"
+
+namespace cleave::recording {
+
+[[nodiscard]] Bytes segment_list_message(const SegmentList& list);
+// Throws DataError.
+[[nodiscard]] SegmentList read_segment_list(ByteView message);
+
+}  // namespace cleave::recording

@@ -1,0 +1,93 @@
+#include "recording/mcap/format.hpp"
+
+#include <zlib.h>
+
+namespace cleave::recording {
+
+void append_record(Bytes& to, Opcode opcode, ByteView content) {
+  append_number(to, opcode);
+  append_number(to, std::uint64_t{content.size()});
+  append(to, content);
+}
+
+void append_texts(Bytes& to, const Texts& texts) {
+  Bytes entries;
+  for (const auto& [key, value] : texts) {
+    append_string(entries, key);
+    append_string(entries, value);
+  }
+  append_number(to, static_cast<std::uint32_t>(entries.size()));
+  append(to, entries);
+}
+
+Texts decode_texts(ByteSource& source) {
+  ByteSource entries(source.take(source.number<std::uint32_t>()));
+  Texts texts;
+  while (entries.left() > 0) {
+    std::string key = entries.string();
+    texts[std::move(key)] = entries.string();
+  }
+  return texts;
+}
+
+Bytes encode(const Schema& schema) {
+  Bytes content;
+  append_number(content, schema.id);
+  append_string(content, schema.name);
+  append_string(content, schema.encoding);
+  append_string(content, schema.text);
+  return content;
+}
+
+Bytes encode(const Channel& channel) {
+  Bytes content;
+  append_number(content, channel.id);
+  append_number(content, channel.schema_id);
+  append_string(content, channel.topic);
+  append_string(content, channel.message_encoding);
+  append_texts(content, channel.metadata);
+  return content;
+}
+
+Bytes encode(const Metadata& metadata) {
+  Bytes content;
+  append_string(content, metadata.name);
+  append_texts(content, metadata.entries);
+  return content;
+}
+
+Schema decode_schema(ByteView content) {
+  ByteSource source(content);
+  Schema schema;
+  schema.id = source.number<std::uint16_t>();
+  schema.name = source.string();
+  schema.encoding = source.string();
+  schema.text = source.string();
+  return schema;
+}
+
+Channel decode_channel(ByteView content) {
+  ByteSource source(content);
+  Channel channel;
+  channel.id = source.number<std::uint16_t>();
+  channel.schema_id = source.number<std::uint16_t>();
+  channel.topic = source.string();
+  channel.message_encoding = source.string();
+  channel.metadata = decode_texts(source);
+  return channel;
+}
+
+Metadata decode_metadata(ByteView content) {
+  ByteSource source(content);
+  Metadata metadata;
+  metadata.name = source.string();
+  metadata.entries = decode_texts(source);
+  return metadata;
+}
+
+std::uint32_t crc32_of(ByteView bytes, std::uint32_t before) {
+  return static_cast<std::uint32_t>(
+      crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace cleave::recording

@@ -1,0 +1,85 @@
+// MCAP's own reader, and Foxglove's own decoders, on our recordings.
+#include <gtest/gtest.h>
+
+#include "recording/frames/frame_writer.hpp"
+#include "recording/mcap/reader.hpp"
+#include "tests/integration/process.hpp"
+#include "tests/unit/recording/recording_files.hpp"
+
+namespace cleave::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Installs the packages of package-lock.json into the build folder, once.
+void install_packages(const fs::path& folder) {
+  const fs::path lock = folder / "package-lock.json";
+  const fs::path source(CLEAVE_MCAP_INTEROP);
+  if (fs::exists(folder / "node_modules" / ".package-lock.json") &&
+      recording::read_all(lock) == recording::read_all(source / "package-lock.json")) {
+    return;
+  }
+  fs::create_directories(folder);
+  for (const char* const name : {"package.json", "package-lock.json"}) {
+    fs::copy_file(source / name, folder / name, fs::copy_options::overwrite_existing);
+  }
+  Process npm(
+      {"/usr/bin/env", "npm", "ci", "--no-audit", "--no-fund", "--prefix", folder.string()});
+  ASSERT_EQ(npm.wait(std::chrono::minutes(3)), 0)
+      << "npm cannot install MCAP's reader (is its registry reachable?): " << npm.log();
+}
+
+class McapInterop : public testing::Test {
+ protected:
+  void SetUp() override {
+    install_packages(folder_);
+    fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / "read_all.mjs", folder_ / "read_all.mjs",
+                  fs::copy_options::overwrite_existing);
+  }
+  [[nodiscard]] Process read(const fs::path& file) const {
+    return Process({"/usr/bin/env", "node", (folder_ / "read_all.mjs").string(), file.string()});
+  }
+
+  const fs::path folder_ = CLEAVE_MCAP_MODULES;
+  const TemporaryFolder files_;
+};
+
+TEST_F(McapInterop, ReadsEveryMessageOfARecordingOf300FramesAndItsCrcs) {
+  const fs::path file = files_.path() / "a.mcap";
+  recording::write_frames(file, 300, 100'000);
+  Process reader = read(file);
+  EXPECT_EQ(reader.wait(), 0) << reader.log();
+  for (const char* const topic : {"depth/image", "depth/camera_info", "cloud", "labels/image",
+                                  "labels", "segments", "segments/boxes"}) {
+    const std::string counted = "\"cleave/camera/" + std::string(topic) + "\":300";
+    EXPECT_NE(reader.output().find(counted), std::string::npos) << counted << reader.output();
+  }
+}
+
+TEST_F(McapInterop, ReadsCloudsWithoutACameraAndMetadata) {
+  const fs::path file = files_.path() / "a.mcap";
+  recording::FrameWriter writer(file);
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    writer.write({static_cast<std::int64_t>(id), recording::free_cloud(id)});
+  }
+  writer.add_metadata({"cleave", {{"dropped cloud", "0"}}});
+  writer.close();
+  Process reader = read(file);
+  EXPECT_EQ(reader.wait(), 0) << reader.log();
+  EXPECT_NE(reader.output().find("\"cleave/camera/points\":3"), std::string::npos)
+      << reader.output();
+}
+
+TEST_F(McapInterop, NoticesAChangedByte) {
+  const fs::path file = files_.path() / "a.mcap";
+  recording::write_frames(file, 20, 10'000);
+  const recording::ChunkPlace chunk = recording::McapReader(file).contents().chunks.at(2);
+  recording::Bytes bytes = recording::read_all(file);
+  bytes[chunk.offset + recording::record_prefix_bytes + 24] ^= std::byte{1};  // the chunk's CRC
+  recording::write_all(file, bytes);
+  Process reader = read(file);
+  EXPECT_NE(reader.wait(), 0) << reader.output();
+}
+
+}  // namespace
+}  // namespace cleave::test

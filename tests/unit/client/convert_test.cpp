@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "cleave/cloud/pcd_cloud.hpp"
+#include "cleave/cloud/pcd_writer.hpp"
+#include "cleave/commands/command.hpp"
+#include "cleave/recording/frame_sink.hpp"
+#include "cleave/recording/frame_source.hpp"
+#include "recording/frames/frame_writer.hpp"
+#include "temporary_folder.hpp"
+#include "tests/unit/recording/recording_files.hpp"
+
+namespace cleave::client {
+namespace {
+
+std::size_t convert(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const auto source = open_frame_source(from, "camera");
+  const auto sink = open_frame_sink(to);
+  std::size_t count = 0;
+  while (auto frame = source->next()) {
+    sink->write(std::move(*frame));
+    ++count;
+  }
+  sink->close();
+  return count;
+}
+
+std::vector<float> points_of(const std::filesystem::path& pcd) {
+  const PcdCloud cloud = PcdCloud::read(pcd);
+  return {cloud.view().xyz, cloud.view().xyz + 3 * cloud.view().size()};
+}
+
+class Convert : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  const std::filesystem::path mcap_ = folder_.path() / "a.mcap";
+  const std::filesystem::path pcds_ = folder_.path() / "pcds";
+};
+
+TEST_F(Convert, GivesEveryPointBackFromPcdThroughMcapToPcd) {
+  std::filesystem::create_directory(pcds_);
+  const recording::Cloud image = recording::depth_cloud(1);
+  const recording::Cloud free = recording::free_cloud(2);
+  write_pcd(pcds_ / "1.pcd", PcdCloud::of_points(image.xyz, 32, 24));
+  write_pcd(pcds_ / "2.pcd", PcdCloud::of_points(free.xyz, 100, 1));
+  EXPECT_EQ(convert(pcds_, mcap_), 2U);
+  EXPECT_EQ(convert(mcap_, folder_.path() / "again"), 2U);
+  EXPECT_TRUE(
+      recording::same_points(points_of(folder_.path() / "again" / "frame_000001.pcd"), image.xyz));
+  EXPECT_TRUE(
+      recording::same_points(points_of(folder_.path() / "again" / "frame_000002.pcd"), free.xyz));
+}
+
+TEST_F(Convert, PutsRecordedLabelsIntoTheirPcd) {
+  recording::write_frames(mcap_, 3, 4096);
+  EXPECT_EQ(convert(mcap_, pcds_), 9U);
+  const PcdCloud cloud = PcdCloud::read(pcds_ / "frame_000003.pcd");
+  EXPECT_TRUE(cloud.header().find("label"));
+}
+
+TEST_F(Convert, WritesCloudsWithoutLabelsToo) {
+  recording::FrameWriter writer(mcap_);
+  for (std::uint64_t id = 1; id <= 40; ++id) writer.write({1, recording::depth_cloud(id)});
+  writer.close();
+  EXPECT_EQ(convert(mcap_, pcds_), 40U);
+  EXPECT_TRUE(std::filesystem::exists(pcds_ / "frame_000040.pcd"));
+  EXPECT_FALSE(PcdCloud::read(pcds_ / "frame_000040.pcd").header().find("label"));
+}
+
+TEST_F(Convert, LeavesOutWhatItCannotReadAndCountsIt) {
+  std::filesystem::create_directory(pcds_);
+  write_pcd(pcds_ / "1.pcd", PcdCloud::of_points(recording::depth_cloud(1).xyz, 32, 24));
+  write_pcd(pcds_ / "3.pcd", PcdCloud::of_points(recording::depth_cloud(1).xyz, 32, 24));
+  (void)folder_.file("pcds/2.pcd", "no cloud");
+  const auto source = open_frame_source(pcds_, "camera");
+  EXPECT_TRUE(source->next());
+  EXPECT_TRUE(source->next());
+  EXPECT_FALSE(source->next());
+  EXPECT_EQ(source->skipped(), 1U);
+}
+
+TEST_F(Convert, ReplacesNothing) {
+  recording::write_frames(mcap_, 1, 4096);
+  EXPECT_THROW((void)open_frame_sink(mcap_), std::runtime_error);
+}
+
+TEST_F(Convert, RefusesOtherKindsOfFiles) {
+  EXPECT_THROW((void)open_frame_source(folder_.file("a.txt", "text"), "camera"), UsageError);
+  EXPECT_THROW((void)open_frame_source(folder_.path() / "absent.pcd", "camera"),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace cleave::client
