@@ -1,6 +1,10 @@
 #include "segmentation/cell_adjacency.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+
+#include "segmentation/multiversion.hpp"
 
 namespace cleave::segmentation {
 
@@ -15,20 +19,40 @@ void CellAdjacencyFinder::count_link(std::uint32_t first, std::uint32_t second) 
   list_[first] = static_cast<std::uint32_t>(neighbours_.size() - 1);
 }
 
+namespace {
+
+// Bits of the steps on which a row's cells are linked to cells of other supervoxels.
+CLEAVE_MULTIVERSION
+void find_borders(const std::uint8_t* __restrict links, const std::uint32_t* __restrict supervoxel,
+                  const std::array<std::ptrdiff_t, 4>& steps, std::ptrdiff_t count,
+                  std::uint32_t* __restrict borders) {
+  const auto [east, south_west, south, south_east] = steps;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const std::uint32_t own = supervoxel[i];
+    const std::uint32_t differs =
+        (supervoxel[i + east] != own ? 1U : 0U) | (supervoxel[i + south_west] != own ? 2U : 0U) |
+        (supervoxel[i + south] != own ? 4U : 0U) | (supervoxel[i + south_east] != own ? 8U : 0U);
+    borders[i] = differs & links[i];
+  }
+}
+
+}  // namespace
+
 void CellAdjacencyFinder::find(const CellImage& cells, const CellLinks& links,
                                const std::vector<std::uint32_t>& supervoxel,
                                std::size_t supervoxels, std::vector<AdjacentPair>& pairs) {
   const auto steps = cells.steps();
   list_.assign(supervoxels, none);
   neighbours_.clear();
+  borders_.resize(cells.columns);
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::size_t begin = cells.row_begin(row);
-    for (std::size_t i = begin; i < begin + cells.columns; ++i) {
-      if (links[i] == 0) continue;
-      for (std::size_t k = 0; k < steps.size(); ++k) {
-        if ((links[i] >> k & 1) == 0) continue;
+    find_borders(&links[begin], &supervoxel[begin], steps, cells.columns, borders_.data());
+    for (std::uint32_t column = 0; column < cells.columns; ++column) {
+      const std::size_t i = begin + column;
+      for (std::uint32_t left = borders_[column]; left != 0; left &= left - 1) {
+        const auto k = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t other = supervoxel[i + static_cast<std::size_t>(steps[k])];
-        if (other == supervoxel[i]) continue;
         count_link(std::min(supervoxel[i], other), std::max(supervoxel[i], other));
       }
     }

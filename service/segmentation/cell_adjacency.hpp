@@ -29,6 +29,7 @@ class CellAdjacencyFinder {
 
   std::vector<std::uint32_t> list_;  // of a supervoxel, the latest neighbour; none: empty
   std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> borders_;  // of a row
 };
 
 }  // namespace cleave::segmentation

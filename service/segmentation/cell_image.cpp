@@ -96,10 +96,15 @@ void add_near_points(const float* __restrict x, const float* __restrict y,
   }
 }
 
-// Sums over each `edge` neighbours.
+// Sums over each `edge` neighbours; three is what a depth camera's pixels come to.
 void add_up_columns(const std::vector<float>& column, std::uint32_t edge, std::size_t count,
                     float* sum) {
   const float* from = column.data();
+  if (edge == 3) {
+    for (std::size_t i = 0; i < count; ++i)
+      sum[i] = from[3 * i] + from[3 * i + 1] + from[3 * i + 2];
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     float total = 0;
     for (std::uint32_t k = 0; k < edge; ++k) total += *from++;
@@ -152,25 +157,27 @@ void CellImager::lay_out(const CloudView& cloud, float grid_offset, CellImage& c
       static_cast<std::uint32_t>(grid_offset * static_cast<float>(positions)), positions - 1);
   cells.shift_x = position % edge;
   cells.shift_y = position / edge;
-  cells.columns = (cloud.width + cells.shift_x + edge - 1) / edge;
-  cells.rows = (cloud.height + cells.shift_y + edge - 1) / edge;
-  cells.stride = (cells.columns + 2 * CellImage::border + 7) & ~7U;
-  const std::size_t size = std::size_t{cells.stride} * (cells.rows + 2 * CellImage::border);
+  const std::uint32_t columns = (cloud.width + cells.shift_x + edge - 1) / edge;
+  const std::uint32_t rows = (cloud.height + cells.shift_y + edge - 1) / edge;
+  const std::uint32_t padded_width = columns * edge;
+  pixels.lay_out({.width = cloud.width,
+                  .height = cloud.height,
+                  .shift_x = cells.shift_x,
+                  .stride = padded_width + 2 * ImageLayout::border});
+  for (auto* column : {&limit_m_, &sum_x_, &sum_y_, &sum_z_, &count_}) {
+    column->resize(padded_width);
+  }
+  if (columns == cells.columns && rows == cells.rows) return;  // only the inside changes
+  cells.columns = columns;
+  cells.rows = rows;
+  cells.stride = (columns + 2 * CellImage::border + 7) & ~7U;
+  const std::size_t size = std::size_t{cells.stride} * (rows + 2 * CellImage::border);
   for (auto* coordinate : {&cells.x, &cells.y, &cells.z}) {
     coordinate->assign(size, CellImage::nowhere);
   }
   for (auto* ratio : {&cells.u, &cells.v}) ratio->assign(size, 0);
   cells.inverse_depth.assign(size, -CellImage::nowhere);
   cells.points.assign(size, 0);
-
-  const std::uint32_t padded_width = cells.columns * edge;
-  for (auto* column : {&limit_m_, &sum_x_, &sum_y_, &sum_z_, &count_}) {
-    column->resize(padded_width);
-  }
-  pixels.lay_out({.width = cloud.width,
-                  .height = cloud.height,
-                  .shift_x = cells.shift_x,
-                  .stride = padded_width + 2 * ImageLayout::border});
 }
 
 void CellImager::sum_front_layer(const PixelImage& pixels, std::uint32_t first_row,

@@ -20,6 +20,18 @@ PixelRange pixels_of(std::uint32_t cell, std::uint32_t edge, std::uint32_t shift
   return {begin > shift ? begin - shift : 0, std::min(begin + edge - shift, size)};
 }
 
+// Marks the cells of a row, empty ones left out, whose neighbour one `way` is in another segment.
+CLEAVE_MULTIVERSION
+void mark_borders(const std::uint32_t* segment, std::ptrdiff_t way, std::size_t count,
+                  std::uint32_t* __restrict marks) {
+  constexpr std::uint32_t none = PixelImage::no_segment;
+  const std::uint32_t* other = segment + way;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t both = (segment[i] != none ? 1U : 0U) & (other[i] != none ? 1U : 0U);
+    marks[i] |= both & (other[i] != segment[i] ? 1U : 0U);
+  }
+}
+
 CLEAVE_MULTIVERSION
 void fill_measured(const std::uint32_t* __restrict from, const float* __restrict z,
                    std::size_t count, std::uint32_t* __restrict segment) {
@@ -44,16 +56,14 @@ void CellLabeller::fill_rows(const CellImage& cells, std::uint32_t row, PixelIma
   }
 }
 
-bool CellLabeller::on_border(const CellImage& cells, std::size_t cell) const {
-  bool differs = false;
+void CellLabeller::find_borders(const CellImage& cells, std::uint32_t row) {
+  borders_.assign(cells.columns, 0);
   for (const std::ptrdiff_t step : cells.steps()) {
-    for (const std::size_t other :
-         {cell + static_cast<std::size_t>(step), cell - static_cast<std::size_t>(step)}) {
-      const std::uint32_t segment = segment_of_cell_[other];
-      differs |= segment != segment_of_cell_[cell] && segment != PixelImage::no_segment;
+    for (const std::ptrdiff_t way : {step, -step}) {
+      mark_borders(segment_of_cell_.data() + cells.row_begin(row), way, cells.columns,
+                   borders_.data());
     }
   }
-  return differs;
 }
 
 CellLabeller::Candidates CellLabeller::candidates_around(
@@ -95,9 +105,10 @@ void CellLabeller::refine_row(const CellImage& cells, std::uint32_t row,
                               const std::vector<std::uint32_t>& segment_of_supervoxel,
                               PixelImage& image) {
   const PixelRange rows = pixels_of(row, cells.edge, cells.shift_y, image.layout.height);
+  find_borders(cells, row);
   for (std::uint32_t column = 0; column < cells.columns; ++column) {
     const std::size_t cell = cells.row_begin(row) + column;
-    if (!cells.occupied(cell) || !on_border(cells, cell)) continue;
+    if (borders_[column] == 0) continue;
     refined_.push_back(static_cast<std::uint32_t>(cell));
     const Candidates candidates = candidates_around(cells, cell, supervoxel_of_cell);
     const PixelRange columns = pixels_of(column, cells.edge, cells.shift_x, image.layout.width);

@@ -39,7 +39,7 @@ class CellLabeller {
   void refine_row(const CellImage& cells, std::uint32_t row,
                   const std::vector<std::uint32_t>& supervoxel_of_cell,
                   const std::vector<std::uint32_t>& segment_of_supervoxel, PixelImage& image);
-  [[nodiscard]] bool on_border(const CellImage& cells, std::size_t cell) const;
+  void find_borders(const CellImage& cells, std::uint32_t row);
   [[nodiscard]] Candidates candidates_around(
       const CellImage& cells, std::size_t cell,
       const std::vector<std::uint32_t>& supervoxel_of_cell) const;
@@ -49,6 +49,7 @@ class CellLabeller {
   std::vector<Plane> plane_;                    // of a supervoxel
   std::vector<std::uint32_t> segment_of_cell_;  // no_segment for empty cells
   std::vector<std::uint32_t> row_;              // of pixels, whole cells
+  std::vector<std::uint32_t> borders_;          // of a row: 1 for cells beside another segment
   std::vector<std::uint32_t> refined_;          // cells
   MixedWindowFinder mixed_window_finder_;
 };

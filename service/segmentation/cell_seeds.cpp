@@ -1,50 +1,62 @@
 #include "segmentation/cell_seeds.hpp"
 
+#include <utility>
+
 #include "segmentation/cell_packing.hpp"
+#include "segmentation/multiversion.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
-struct Place {
-  std::int32_t cube = 0;
-  float squared_distance = 0;  // of the coordinate from the cube's middle, in cubes
-};
-
-Place place_of(float coordinate) {
-  const std::int32_t cube = cell_of(coordinate);
-  const float off_middle = coordinate - static_cast<float>(cube) - 0.5F;
-  return {cube, off_middle * off_middle};
+// The cube of each coordinate, and how far that is from the cube's middle, squared, in cubes.
+CLEAVE_MULTIVERSION
+void add_places(const float* __restrict coordinate, std::size_t count, float cubes_per_m,
+                std::int32_t* __restrict cube, float* __restrict squared_distance) {
+  for (std::size_t i = 0; i < count; ++i) {
+    cube[i] = cell_of(coordinate[i] * cubes_per_m);
+    const float off_middle = coordinate[i] * cubes_per_m - static_cast<float>(cube[i]) - 0.5F;
+    squared_distance[i] += off_middle * off_middle;
+  }
 }
 
 }  // namespace
 
+void CellSeedSelector::find_places(const CellImage& cells, std::uint32_t row, float cubes_per_m) {
+  const std::size_t begin = cells.row_begin(row);
+  squared_distance_.assign(cells.columns, 0);
+  for (const auto& [coordinate, cube] :
+       {std::pair(&cells.x, &cube_x_), std::pair(&cells.y, &cube_y_),
+        std::pair(&cells.z, &cube_z_)}) {
+    cube->resize(cells.columns);
+    add_places(coordinate->data() + begin, cells.columns, cubes_per_m, cube->data(),
+               squared_distance_.data());
+  }
+}
+
 void CellSeedSelector::find_runs(const CellImage& cells, float spacing_m) {
-  const float cubes_per_m = 1 / spacing_m;
   for (auto* axis : {&x_, &y_, &z_}) axis->clear();
   run_.clear();
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
+    find_places(cells, row, 1 / spacing_m);
     bool row_begins = true;
     const auto begin = static_cast<std::uint32_t>(cells.row_begin(row));
-    for (std::uint32_t i = begin; i < begin + cells.columns; ++i) {
-      if (!cells.occupied(i)) continue;
-      const Place x = place_of(cells.x[i] * cubes_per_m);
-      const Place y = place_of(cells.y[i] * cubes_per_m);
-      const Place z = place_of(cells.z[i] * cubes_per_m);
-      const float squared_distance = x.squared_distance + y.squared_distance + z.squared_distance;
-      if (row_begins || x.cube != x_.back() || y.cube != y_.back() || z.cube != z_.back()) {
+    for (std::uint32_t column = 0; column < cells.columns; ++column) {
+      if (!cells.occupied(begin + column)) continue;
+      const Cube own{1, begin + column, squared_distance_[column]};
+      if (row_begins || cube_x_[column] != x_.back() || cube_y_[column] != y_.back() ||
+          cube_z_[column] != z_.back()) {
         row_begins = false;
-        x_.push_back(x.cube);
-        y_.push_back(y.cube);
-        z_.push_back(z.cube);
-        run_.push_back(
-            {.cells = 1, .nearest_cell = i, .nearest_squared_distance = squared_distance});
+        x_.push_back(cube_x_[column]);
+        y_.push_back(cube_y_[column]);
+        z_.push_back(cube_z_[column]);
+        run_.push_back(own);
         continue;
       }
       Cube& run = run_.back();
       ++run.cells;
-      if (squared_distance < run.nearest_squared_distance) {
-        run.nearest_cell = i;
-        run.nearest_squared_distance = squared_distance;
+      if (own.nearest_squared_distance < run.nearest_squared_distance) {
+        run.nearest_cell = own.nearest_cell;
+        run.nearest_squared_distance = own.nearest_squared_distance;
       }
     }
   }

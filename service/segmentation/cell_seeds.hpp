@@ -22,12 +22,15 @@ class CellSeedSelector {
     std::uint32_t nearest_cell = 0;
     float nearest_squared_distance = 0;
   };
+  void find_places(const CellImage& cells, std::uint32_t row, float cubes_per_m);
   void find_runs(const CellImage& cells, float spacing_m);
   void join_runs();
 
   // Cells side by side often share a cube: those are one run, counted as a cube of its own first.
   std::vector<Cube> run_;
-  std::vector<std::int32_t> x_, y_, z_;  // cube of a run
+  std::vector<std::int32_t> cube_x_, cube_y_, cube_z_;  // of a row's cells
+  std::vector<float> squared_distance_;                 // of a row's cells to their cubes' middles
+  std::vector<std::int32_t> x_, y_, z_;                 // cube of a run
   std::vector<std::uint64_t> key_;
   CellRanking ranking_;
   std::vector<Cube> cubes_;

@@ -27,7 +27,8 @@ std::uint32_t GraphCoarsener::root(std::uint32_t supervoxel) {
 
 void GraphCoarsener::match(const std::vector<SupervoxelEdge>& edges) {
   std::fill(is_matched_.begin(), is_matched_.end(), std::uint8_t{0});
-  for (const auto& [cosine, e] : smooth_) {
+  for (const std::uint64_t key : smooth_) {
+    const auto e = static_cast<std::uint32_t>(key);
     const std::uint32_t a = root(edges[e].first);
     const std::uint32_t b = root(edges[e].second);
     if (a == b || is_matched_[a] != 0 || is_matched_[b] != 0) continue;
@@ -80,11 +81,12 @@ std::uint32_t GraphCoarsener::coarsen(std::uint32_t supervoxels,
   is_matched_.resize(supervoxels);
   smooth_.clear();
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
-    if (is_smooth(edges[e])) smooth_.push_back({edges[e].cosine, e});
+    if (!is_smooth(edges[e])) continue;
+    // Bits of floats that are not negative sort as their values do.
+    const auto bend = std::bit_cast<std::uint32_t>(std::max(2 - edges[e].cosine, 0.0F));
+    smooth_.push_back((std::uint64_t{bend} << 32) | e);
   }
-  std::sort(smooth_.begin(), smooth_.end(), [](const SmoothEdge& l, const SmoothEdge& r) {
-    return l.cosine > r.cosine || (l.cosine == r.cosine && l.edge < r.edge);
-  });
+  std::sort(smooth_.begin(), smooth_.end());
   for (std::uint32_t round = 0; round < rounds; ++round) match(edges);
   const std::uint32_t vertices = number_vertices();
   add_up_edges(edges, vertices);

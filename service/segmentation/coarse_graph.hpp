@@ -32,11 +32,7 @@ class GraphCoarsener {
   std::uint32_t root(std::uint32_t supervoxel);
 
   CellRanking ranking_;
-  struct SmoothEdge {
-    float cosine;
-    std::uint32_t edge;
-  };
-  std::vector<SmoothEdge> smooth_;        // straightest first
+  std::vector<std::uint64_t> smooth_;     // how far it bends, and the edge; straightest first
   std::vector<std::uint32_t> parent_;     // union-find; the lowest supervoxel is the root
   std::vector<std::uint8_t> is_matched_;  // in this round
   std::vector<std::uint32_t> vertex_;

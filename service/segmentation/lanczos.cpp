@@ -7,7 +7,7 @@
 namespace cleave::segmentation {
 namespace {
 
-constexpr double tolerance = 1e-3;                       // residual, of the inverse's eigenvalue
+constexpr double tolerance = 1e-2;                       // residual, of the inverse's eigenvalue
 constexpr double breakdown = 1e-10;                      // of the inverse's largest eigenvalue
 constexpr std::uint32_t first_look = 6, look_again = 4;  // steps beyond `wanted`, and from then on
 

@@ -34,7 +34,7 @@ struct SupervoxelOptions {
 };
 
 struct GraphOptions {
-  float weight_sigma = 10;              // eq. 4.3, inverse quadratic
+  float weight_sigma = 80;              // eq. 4.3, inverse quadratic
   float validity_max_rad = 0.9948F;     // eq. 4.5: 57 deg
   float validity_offset_rad = 0.6981F;  // eq. 4.5: 40 deg
   float validity_slope = 17.19F;        // eq. 4.5: 0.3 a degree, here a radian

@@ -11,7 +11,7 @@ namespace cleave::segmentation {
 namespace {
 
 // So many patches, evenly picked, tell how a segment's box is turned.
-constexpr std::uint32_t max_sample = 512;
+constexpr std::uint32_t max_sample = 128;
 
 PointRange range_of(const SegmentedPoints& points, const PointRun& run) {
   return {points.x + run.begin, points.y + run.begin, points.z + run.begin, run.end - run.begin};
