@@ -3,12 +3,15 @@
 #include <dds/ddsc/dds_loan_api.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <vector>
 
 #include "libcleave/dds.hpp"
 #include "libcleave/logging.hpp"
+#include "libcleave/types.hpp"
 
 namespace cleave {
 namespace {
@@ -41,19 +44,9 @@ class HeapLoans {
   std::vector<void*> free_;
 };
 
-void on_matched(dds_entity_t /*writer*/, const dds_publication_matched_status_t status,
-                void* topic) {
-  const std::string& name = static_cast<const Topic*>(topic)->name;
-  spdlog::debug("{}: a reader {}, {} now", name,
-                status.current_count_change > 0 ? "joined" : "left", status.current_count);
-}
-
-void on_incompatible(dds_entity_t /*writer*/, const dds_offered_incompatible_qos_status_t status,
-                     void* topic) {
-  spdlog::warn(
-      "{}: a reader cannot be served: its {} policy does not match what this writer offers",
-      static_cast<const Topic*>(topic)->name, dds::policy_name(status.last_policy_id));
-}
+// RouDi connects what has matched in DDS at its next round, every 100 ms; what is written before is
+// lost.
+constexpr std::int64_t connection_time_ns = 250'000'000;
 
 }  // namespace
 
@@ -63,7 +56,23 @@ struct RawWriter::State {
   HeapLoans heap;
   LogLimiter failures;
   bool zero_copy = false;
+  std::atomic<std::int64_t> first_match_ns{0};  // when the first of the readers came
   dds::Entity dds_topic, writer;
+
+  static void on_matched(dds_entity_t /*writer*/, const dds_publication_matched_status_t status,
+                         void* state) {
+    State& s = *static_cast<State*>(state);
+    const bool joined = status.current_count_change > 0;
+    if (joined && status.current_count == 1) s.first_match_ns = monotonic_now_ns();
+    spdlog::debug("{}: a reader {}, {} now", s.topic.name, joined ? "joined" : "left",
+                  status.current_count);
+  }
+  static void on_incompatible(dds_entity_t /*writer*/,
+                              const dds_offered_incompatible_qos_status_t status, void* state) {
+    spdlog::warn(
+        "{}: a reader cannot be served: its {} policy does not match what this writer offers",
+        static_cast<const State*>(state)->topic.name, dds::policy_name(status.last_policy_id));
+  }
 };
 
 RawWriter::RawWriter(Stream& stream, const Topic& topic, WriterDepth depth)
@@ -71,9 +80,9 @@ RawWriter::RawWriter(Stream& stream, const Topic& topic, WriterDepth depth)
   State& s = *state_;
   const dds_entity_t participant = dds::participant_of(stream, topic);
   s.dds_topic = dds::create_topic(participant, topic);
-  const dds::Listener listener(dds_create_listener(&s.topic));
-  dds_lset_publication_matched(listener.get(), on_matched);
-  dds_lset_offered_incompatible_qos(listener.get(), on_incompatible);
+  const dds::Listener listener(dds_create_listener(&s));
+  dds_lset_publication_matched(listener.get(), State::on_matched);
+  dds_lset_offered_incompatible_qos(listener.get(), State::on_incompatible);
   s.writer = {dds_create_writer(participant, s.dds_topic.get(),
                                 dds::qos_of(topic, depth.samples).get(), listener.get()),
               "cannot create a writer of " + topic.name};
@@ -121,7 +130,10 @@ bool RawWriter::publish(const void* sample) {
 unsigned RawWriter::matched_readers() const {
   dds_publication_matched_status_t status;
   const bool known = dds_get_publication_matched_status(state_->writer.get(), &status) == 0;
-  return known ? status.current_count : 0;
+  if (!known || status.current_count == 0) return 0;
+  const bool connected =
+      !state_->zero_copy || monotonic_now_ns() - state_->first_match_ns >= connection_time_ns;
+  return connected ? status.current_count : 0;
 }
 
 bool RawWriter::zero_copy() const {

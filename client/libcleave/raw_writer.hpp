@@ -24,6 +24,8 @@ class RawWriter {
   void give_back(void* loan);
   [[nodiscard]] bool publish_loan(void* loan);
   [[nodiscard]] bool publish(const void* sample);
+  // Readers that get what is published now: over shared memory none in the first 250 ms of the
+  // first one, which RouDi connects only then.
   [[nodiscard]] unsigned matched_readers() const;
   [[nodiscard]] bool zero_copy() const;
 

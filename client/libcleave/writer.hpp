@@ -67,6 +67,7 @@ class Writer {
   // Copies (serialises) the sample: for the small types of the public domain.
   [[nodiscard]] bool publish(const T& sample) { return raw_.publish(&sample); }
 
+  // Readers that get what is published now; see RawWriter.
   [[nodiscard]] unsigned matched_readers() const { return raw_.matched_readers(); }
   // Whether loans are chunks of shared memory.
   [[nodiscard]] bool zero_copy() const { return raw_.zero_copy(); }

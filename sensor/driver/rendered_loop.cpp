@@ -1,9 +1,23 @@
 #include "sensor/driver/rendered_loop.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <exception>
 #include <utility>
 
 namespace cleave::driver {
+namespace {
+
+// A camera costs its machine nothing: rendering must not take cores from whoever uses the frames
+// that are there. Threads have a nice value of their own on Linux; failing costs only that
+// courtesy.
+void give_way_to_other_threads() {
+  constexpr int nice = 10;
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), nice);
+}
+
+}  // namespace
 
 RenderedLoop::RenderedLoop(const render::SceneRequest& request,
                            std::function<void(const std::string&)> report_failure)
@@ -24,6 +38,7 @@ std::uint32_t RenderedLoop::after(std::uint32_t index) const {
 }
 
 void RenderedLoop::render(const std::stop_token& stopped) {
+  give_way_to_other_threads();
   try {
     for (std::uint32_t i = ready(); i < frames_.size() && !stopped.stop_requested(); ++i) {
       frames_[i] = scene_.frame(i).depth_mm;

@@ -16,8 +16,6 @@ int main(int argc, char** argv) {
   Stream stream(options);
   Writer<DepthCloud> writer(stream, argv[2]);
   while (writer.matched_readers() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  // DDS has matched, iceoryx connects a moment later.
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
 
   const std::uint64_t copies_before = test::large_copies();
   bool all_shared = true;
