@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "segmentation/multiversion.hpp"
-#include "segmentation/point_set.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -34,47 +33,6 @@ float pixel_pitch(const CloudView& cloud) {
     }
   }
   return steps == 0 ? 0 : static_cast<float>(sum / steps);
-}
-
-inline float within_bounds(float coordinate) {
-  const float low = coordinate > -max_coordinate_m ? coordinate : -max_coordinate_m;
-  return low < max_coordinate_m ? low : max_coordinate_m;
-}
-
-// Points of a row into planes; returns how many of them are not in front of the sensor. Inlined, so
-// that the loop is vectorised where the compiler knows the stride.
-inline __attribute__((always_inline)) int split_row(const float* __restrict p, std::size_t stride,
-                                                    std::size_t count, float* __restrict x,
-                                                    float* __restrict y, float* __restrict z) {
-  int behind = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float px = p[i * stride];
-    const float py = p[i * stride + 1];
-    const float pz = p[i * stride + 2];
-    const bool measured = px * 0 + py * 0 + pz * 0 == 0;  // none is infinite or no number
-    x[i] = measured ? within_bounds(px) : 0;
-    y[i] = measured ? within_bounds(py) : 0;
-    z[i] = measured ? within_bounds(pz) : PixelImage::no_depth;
-    behind += (measured & !(pz > 0)) ? 1 : 0;
-  }
-  return behind;
-}
-
-CLEAVE_MULTIVERSION
-int split_packed_row(const float* p, std::size_t count, float* x, float* y, float* z) {
-  return split_row(p, 3, count, x, y, z);
-}
-
-CLEAVE_MULTIVERSION
-int split_aligned_row(const float* p, std::size_t count, float* x, float* y, float* z) {
-  return split_row(p, 4, count, x, y, z);
-}
-
-int split_row_of(const CloudView& cloud, std::uint32_t row, float* x, float* y, float* z) {
-  const float* p = cloud.point(std::size_t{row} * cloud.width);
-  if (cloud.stride == 3) return split_packed_row(p, cloud.width, x, y, z);
-  if (cloud.stride == 4) return split_aligned_row(p, cloud.width, x, y, z);
-  return split_row(p, cloud.stride, cloud.width, x, y, z);
 }
 
 CLEAVE_MULTIVERSION
@@ -228,10 +186,7 @@ bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, C
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::uint32_t first = next;
     const std::uint32_t end = std::min((row + 1) * cells.edge - cells.shift_y, cloud.height);
-    for (; next < end; ++next) {
-      const std::size_t begin = pixels.layout.row_begin(next);
-      behind += split_row_of(cloud, next, &pixels.x[begin], &pixels.y[begin], &pixels.z[begin]);
-    }
+    for (; next < end; ++next) behind += load_row(cloud, next, pixels);
     sum_front_layer(pixels, first, end - first, cells);
     store_row(row, cells);
   }

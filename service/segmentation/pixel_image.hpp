@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "segmentation/cloud_view.hpp"
+
 namespace cleave::segmentation {
 
 // Where pixels lie in a plane: row-major inside a border, so that no window around a pixel ends
@@ -34,14 +36,11 @@ struct PixelImage {
   std::vector<std::uint32_t> segment;  // no_segment where nothing was measured
 
   // Makes room, with nothing measured in the border. What is inside is undefined.
-  void lay_out(const ImageLayout& wanted) {
-    if (layout == wanted && !z.empty()) return;
-    layout = wanted;
-    x.assign(layout.size(), 0);
-    y.assign(layout.size(), 0);
-    z.assign(layout.size(), no_depth);
-    segment.assign(layout.size(), no_segment);
-  }
+  void lay_out(const ImageLayout& wanted);
 };
+
+// Copies a row of the cloud's points, cut to +-max_coordinate_m, into an image that is laid out for
+// it. Returns how many measured ones are not in front of the sensor.
+[[nodiscard]] int load_row(const CloudView& cloud, std::uint32_t row, PixelImage& image);
 
 }  // namespace cleave::segmentation
