@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "libcleave/logging.hpp"
+#include "recording/oni/camera.hpp"
 #include "recording/oni/oni_reader.hpp"
-#include "sensor/depth_to_points.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
@@ -27,18 +27,14 @@ class OniSource : public Source {
   [[nodiscard]] std::string last_error() const override { return ""; }
 
  private:
-  [[nodiscard]] Failure prepare();
   // The next frame that is not damaged; false at the end of the file.
   [[nodiscard]] bool read_next();
-  // Swaps left and right of the held frame.
-  void turn_back();
 
   std::filesystem::path path_;
   bool loop_;
   std::optional<oni::Reader> reader_;
+  std::optional<oni::Camera> camera_;
   std::size_t next_ = 0;
-  Intrinsics intrinsics_;
-  DepthProjection projection_;
   oni::DepthFrame held_;
   std::uint64_t damaged_ = 0;
   LogLimiter log_limiter_;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "libcleave/types.hpp"
+#include "recording/cloud/depth_to_points.hpp"
 #include "sensor/capture_clock.hpp"
-#include "sensor/depth_to_points.hpp"
 #include "sensor/openni2_device.hpp"
 #include "sensor/openni2_library.hpp"
 #include "sensor/openni2_mode.hpp"
@@ -75,7 +75,7 @@ struct OpenNi2Source::State {
   openni::VideoStream stream;
   openni::VideoFrameRef held;
   Intrinsics intrinsics;
-  DepthProjection projection;
+  recording::DepthProjection projection;
   CaptureClock clock;
   std::optional<int> last_index;
   std::uint64_t sensor_drops = 0;
@@ -98,10 +98,10 @@ Failure OpenNi2Source::State::prepare_stream() {
   if (Failure failure = set_mode(stream, mode)) return failure;
   if (Failure failure = set_registration(device, mode.registration)) return failure;
   if (Failure failure = set_mirroring(stream, mode.mirror)) return failure;
-  intrinsics = intrinsics_from_fov(mode.width, mode.height, stream.getHorizontalFieldOfView(),
-                                   stream.getVerticalFieldOfView());
+  intrinsics = recording::intrinsics_from_fov(
+      mode.width, mode.height, stream.getHorizontalFieldOfView(), stream.getVerticalFieldOfView());
   if (intrinsics.fx == 0) return "the camera does not tell its field of view";
-  projection = DepthProjection(mode.width, mode.height, intrinsics);
+  projection = recording::DepthProjection(mode.width, mode.height, intrinsics);
   if (stream.start() == openni::STATUS_OK) return std::nullopt;
   return "the depth stream does not start: " + openni2_error();
 }
@@ -185,9 +185,9 @@ void OpenNi2Source::write_points(float* xyz) {
   const State& s = *state_;
   const bool millimetres =
       s.held.getVideoMode().getPixelFormat() == openni::PIXEL_FORMAT_DEPTH_1_MM;
-  const DepthImage image{static_cast<const std::uint16_t*>(s.held.getData()), s.mode.width,
-                         s.mode.height, static_cast<std::size_t>(s.held.getStrideInBytes()),
-                         millimetres ? 1e-3F : 1e-4F};
+  const recording::DepthRows image{
+      static_cast<const std::uint16_t*>(s.held.getData()), s.mode.width, s.mode.height,
+      static_cast<std::size_t>(s.held.getStrideInBytes()), millimetres ? 1e-3F : 1e-4F};
   s.projection.write_points(image, xyz);
 }
 

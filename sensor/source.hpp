@@ -8,17 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "recording/cloud/projection.hpp"
+
 namespace cleave::sensor {
 
 inline constexpr std::size_t capacity_points = std::size_t{640} * 480;  // of DepthCloud
 
-// Pinhole intrinsics in pixels; all 0 = not an image.
-struct Intrinsics {
-  float fx = 0;
-  float fy = 0;
-  float cx = 0;
-  float cy = 0;
-};
+using recording::Intrinsics;  // all 0 = not an image
 
 // A frame without its points.
 struct Frame {

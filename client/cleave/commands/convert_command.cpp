@@ -45,8 +45,11 @@ int run(const ConvertOptions& options) {
 
 void add_convert_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand("convert", "Between MCAP recordings and PCD files");
-  command->add_option("INPUT", options->input, "recording (.mcap), PCD file, or folder of them")
+  CLI::App* command =
+      app.add_subcommand("convert", "Between MCAP recordings and PCD files, and from .oni");
+  command
+      ->add_option("INPUT", options->input,
+                   "recording (.mcap or .oni), PCD file, or folder of them")
       ->required();
   command->add_option("OUTPUT", options->output, "recording (.mcap), or a folder for PCD files")
       ->required();
@@ -55,10 +58,15 @@ void add_convert_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  cleave convert scenes/ scenes.mcap\n"
       "  cleave convert run.mcap run_pcd/\n"
+      "  cleave convert table.oni table.mcap\n"
       "\n"
-      "PCD files become frames of the sensor `camera` (--sensor) at 30 frames a second. Frames\n"
-      "become frame_000001.pcd, ..., with the field label where label maps were recorded. What\n"
-      "cannot be read is named, left out, and makes the exit code 1.");
+      "PCD files become frames of the sensor `camera` (--sensor) at 30 frames a second. The depth\n"
+      "of an .oni file becomes frames of that sensor with the file's own time stamps, and with "
+      "the\n"
+      "points that cleave-grabber publishes when it plays the file. Frames become "
+      "frame_000001.pcd, ..., with the field label\n"
+      "where label maps were recorded. What cannot be read is named, left out, and makes the exit\n"
+      "code 1.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -40,8 +40,9 @@ std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path
     return open_pcd(path, sensor);
   }
   if (path.extension() == ".mcap") return open_mcap(path);
+  if (path.extension() == ".oni") return open_oni(path, sensor);
   throw UsageError(path.string() +
-                   ": cannot be converted: name a .mcap file, a .pcd file or a "
+                   ": cannot be converted: name a .mcap file, an .oni file, a .pcd file or a "
                    "folder of .pcd files");
 }
 

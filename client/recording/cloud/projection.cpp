@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "recording/cloud/decimal_digits.hpp"
+#include "recording/cloud/depth_to_points.hpp"
 
 namespace cleave::recording {
 namespace {
@@ -10,12 +11,11 @@ namespace {
 constexpr float metres_per_mm = 0.001F;
 constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
 
-// (i - principal point), in pixels, or as a slope if divided by the focal length.
-std::vector<float> offsets(std::uint32_t count, float principal_point, double divisor) {
+// i - principal point, in pixels.
+std::vector<float> offsets(std::uint32_t count, float principal_point) {
   std::vector<float> result(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    result[i] = static_cast<float>((static_cast<double>(i) - static_cast<double>(principal_point)) /
-                                   divisor);
+    result[i] = static_cast<float>(static_cast<double>(i) - static_cast<double>(principal_point));
   }
   return result;
 }
@@ -36,14 +36,10 @@ void for_each_pixel(const DepthView& image, float* xyz, const Point& point) {
 }
 
 void project_rays(const DepthView& image, const Intrinsics& k, float* xyz) {
-  const std::vector<float> column = offsets(image.width, k.cx, static_cast<double>(k.fx));
-  const std::vector<float> row = offsets(image.height, k.cy, static_cast<double>(k.fy));
-  for_each_pixel(image, xyz, [&](auto u, auto v, std::uint16_t depth_mm, float* out) {
-    const float z = depth_mm * metres_per_mm;
-    out[0] = column[u] * z;
-    out[1] = row[v] * z;
-    out[2] = z;
-  });
+  DepthProjection(image.width, image.height, k)
+      .write_points({image.depth_mm.data(), image.width, image.height,
+                     std::size_t{image.width} * sizeof(std::uint16_t), metres_per_mm},
+                    xyz);
 }
 
 // Neighbours often have the same depth: what follows from it is kept.
@@ -65,8 +61,8 @@ class LastDepth {
 
 template <class Round>
 void project_points(const DepthView& image, const Intrinsics& k, float* xyz, const Round& round) {
-  const std::vector<float> column = offsets(image.width, k.cx, 1);
-  const std::vector<float> row = offsets(image.height, k.cy, 1);
+  const std::vector<float> column = offsets(image.width, k.cx);
+  const std::vector<float> row = offsets(image.height, k.cy);
   const float per_fx = 1 / k.fx;
   const float per_fy = 1 / k.fy;
   LastDepth rounded;

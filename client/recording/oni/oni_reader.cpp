@@ -71,7 +71,7 @@ Reader::Reader(const std::filesystem::path& path) : file_(path), name_(path.stri
   try {
     find_frames();
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error("cannot play the recording '" + name_ + "': " + error.what());
+    throw std::runtime_error("cannot read the recording '" + name_ + "': " + error.what());
   }
 }
 

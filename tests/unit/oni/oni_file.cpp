@@ -144,7 +144,8 @@ std::string OniFile::bytes(std::vector<std::size_t>* positions) const {
   add(0x08, values(~std::uint32_t{0}, ~std::uint64_t{0}));
   for (std::uint32_t i = 0; i < frames.size(); ++i) {
     if (positions != nullptr) positions->push_back(out.size());
-    add(0x0A, values(std::uint64_t{33333} * i, i + 1), encode(codec, frames[i]));
+    add(0x0A, values(first_timestamp_us + std::uint64_t{33333} * i, i + 1),
+        encode(codec, frames[i]));
   }
   add(0x07, "");
   if (with_end) add(0x0B, "");

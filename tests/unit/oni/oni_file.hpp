@@ -25,6 +25,7 @@ struct OniFile {
   bool mirrored = false;
   std::vector<std::uint16_t> cropping;  // x, y, width, height
   bool with_fov = true;
+  std::uint64_t first_timestamp_us = 0;
   std::vector<Image> frames;
   bool with_end = true;
   std::uint32_t depth_node_type = 2;

@@ -1,15 +1,16 @@
-// A depth image becomes points.
+// Depth becomes points as the grabber publishes them, and as whoever reads its input later must.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "sensor/source.hpp"
+#include "recording/cloud/projection.hpp"
 
-namespace cleave::sensor {
+namespace cleave::recording {
 
-struct DepthImage {
+// A depth image where a sensor left it.
+struct DepthRows {
   const std::uint16_t* depth;  // 0 = no measurement
   std::uint32_t width;
   std::uint32_t height;
@@ -17,7 +18,7 @@ struct DepthImage {
   float unit_m;              // of a depth of 1: 0.001 or 0.0001
 };
 
-// The rays of a pinhole camera, computed once for a size and intrinsics:
+// The rays of a pinhole camera, computed once for a size and intrinsics (Projection::ray):
 //   z = depth * unit, x = (u - cx) / fx * z, y = (v - cy) / fy * z.
 class DepthProjection {
  public:
@@ -25,7 +26,7 @@ class DepthProjection {
   DepthProjection(std::uint32_t width, std::uint32_t height, const Intrinsics& intrinsics);
 
   // Writes width * height points; the image must have the size of the construction. Deterministic.
-  void write_points(const DepthImage& image, float* xyz) const;
+  void write_points(const DepthRows& image, float* xyz) const;
 
  private:
   std::vector<float> column_;  // x / z of a column
@@ -38,4 +39,4 @@ class DepthProjection {
 [[nodiscard]] Intrinsics intrinsics_from_fov(std::uint32_t width, std::uint32_t height,
                                              float horizontal_rad, float vertical_rad);
 
-}  // namespace cleave::sensor
+}  // namespace cleave::recording

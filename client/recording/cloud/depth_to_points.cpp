@@ -1,10 +1,10 @@
-#include "sensor/depth_to_points.hpp"
+#include "recording/cloud/depth_to_points.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-namespace cleave::sensor {
+namespace cleave::recording {
 namespace {
 
 std::vector<float> rays(std::uint32_t size, float focal_length, float principal_point) {
@@ -30,7 +30,7 @@ DepthProjection::DepthProjection(std::uint32_t width, std::uint32_t height,
     : column_(rays(width, intrinsics.fx, intrinsics.cx)),
       row_(rays(height, intrinsics.fy, intrinsics.cy)) {}
 
-void DepthProjection::write_points(const DepthImage& image, float* xyz) const {
+void DepthProjection::write_points(const DepthRows& image, float* xyz) const {
   constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
   for (std::uint32_t v = 0; v < image.height; ++v) {
     const std::uint16_t* const depth =
@@ -51,4 +51,4 @@ Intrinsics intrinsics_from_fov(std::uint32_t width, std::uint32_t height, float 
           static_cast<float>(width - 1) / 2, static_cast<float>(height - 1) / 2};
 }
 
-}  // namespace cleave::sensor
+}  // namespace cleave::recording

@@ -1,4 +1,4 @@
-#include "sensor/depth_to_points.hpp"
+#include "recording/cloud/depth_to_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,15 @@
 #include <random>
 #include <vector>
 
-namespace cleave::sensor {
+#include "recording/frames/frame.hpp"
+
+namespace cleave::recording {
 namespace {
 
 constexpr Intrinsics camera{525.0F, 520.0F, 319.5F, 239.5F};
 
 // The pinhole model pixel by pixel, in double.
-void expect_pinhole(const DepthImage& image, const std::vector<float>& xyz) {
+void expect_pinhole(const DepthRows& image, const std::vector<float>& xyz) {
   for (std::uint32_t v = 0; v < image.height; ++v) {
     for (std::uint32_t u = 0; u < image.width; ++u) {
       const float* const p = xyz.data() + 3 * (std::size_t{v} * image.width + u);
@@ -38,7 +40,7 @@ std::vector<std::uint16_t> random_depth(std::size_t size) {
 
 TEST(DepthProjection, AgreesWithThePinholeModelInMillimetres) {
   const auto depth = random_depth(capacity_points);
-  const DepthImage image{depth.data(), 640, 480, 1280, 1e-3F};
+  const DepthRows image{depth.data(), 640, 480, 1280, 1e-3F};
   std::vector<float> xyz(3 * capacity_points);
   DepthProjection(640, 480, camera).write_points(image, xyz.data());
   expect_pinhole(image, xyz);
@@ -46,7 +48,7 @@ TEST(DepthProjection, AgreesWithThePinholeModelInMillimetres) {
 
 TEST(DepthProjection, AgreesWithThePinholeModelInTenthsOfMillimetresAndPaddedRows) {
   const auto depth = random_depth(4800);
-  const DepthImage image{depth.data(), 64, 48, 200, 1e-4F};
+  const DepthRows image{depth.data(), 64, 48, 200, 1e-4F};
   std::vector<float> xyz(9216);
   DepthProjection(64, 48, camera).write_points(image, xyz.data());
   expect_pinhole(image, xyz);
@@ -68,4 +70,4 @@ TEST(IntrinsicsFromFov, AreNoneWithoutAFieldOfView) {
 }
 
 }  // namespace
-}  // namespace cleave::sensor
+}  // namespace cleave::recording
