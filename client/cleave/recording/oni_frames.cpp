@@ -50,8 +50,8 @@ class OniFrames : public FrameSource {
       if (const auto why = reader_.read(next_++, depth_)) {
         skip("skipped: " + *why);
       } else if (depth_.timestamp_us - start_us_ > latest_us) {
-        skip("skipped: frame " + std::to_string(next_) +
-             " has a time stamp that cannot be: " + std::to_string(depth_.timestamp_us) + " us");
+        skip("skipped: frame " + std::to_string(next_) + " in the recording '" + path_.string() +
+             "' has a time stamp that cannot be: " + std::to_string(depth_.timestamp_us) + " us");
       } else {
         return frame();
       }
