@@ -25,12 +25,11 @@ class FrameSource {
   [[nodiscard]] virtual std::size_t skipped() const = 0;
 };
 
-// By the path's kind: an MCAP file, an .oni file, a PCD file or a folder of them. `sensor` names what has no name
-// of its own. Throws UsageError for any other kind, std::runtime_error for what cannot be opened.
+// By the path's kind: an MCAP file, an .oni file, a PCD file or a folder of them. `sensor` names
+// what has no name of its own. Throws UsageError for any other kind, std::runtime_error for what
+// cannot be opened.
 [[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
                                                              const std::string& sensor);
-[[nodiscard]] std::unique_ptr<FrameSource> open_oni(const std::filesystem::path& path,
-                                                    const std::string& sensor);
 
 // One for each kind.
 [[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path);
