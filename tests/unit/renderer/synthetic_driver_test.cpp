@@ -113,8 +113,7 @@ TEST_F(SyntheticDriver, AnswersWhatGrabbersAsk) {
   EXPECT_EQ(stream_.setMirroringEnabled(true), openni::STATUS_OK);
   EXPECT_TRUE(stream_.getMirroringEnabled());
   EXPECT_TRUE(device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_OFF));
-  EXPECT_FALSE(
-      device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR));
+  EXPECT_FALSE(device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_DEPTH_TO_COLOR));
   EXPECT_TRUE(stream_.isCroppingSupported());
   EXPECT_EQ(device_.getDeviceInfo().getUri(), std::string("synthetic:medium?seed=9"));
   char serial[64];
