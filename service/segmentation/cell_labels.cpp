@@ -109,7 +109,8 @@ void CellLabeller::refine_row(const CellImage& cells, std::uint32_t row,
   for (std::uint32_t column = 0; column < cells.columns; ++column) {
     const std::size_t cell = cells.row_begin(row) + column;
     if (borders_[column] == 0) continue;
-    refined_.push_back(static_cast<std::uint32_t>(cell));
+    const std::uint32_t own = segment_of_cell_[cell];
+    bool is_mixed = false;
     const Candidates candidates = candidates_around(cells, cell, supervoxel_of_cell);
     const PixelRange columns = pixels_of(column, cells.edge, cells.shift_x, image.layout.width);
     for (std::uint32_t y = rows.begin; y < rows.end; ++y) {
@@ -118,8 +119,10 @@ void CellLabeller::refine_row(const CellImage& cells, std::uint32_t row,
         if (image.segment[i] == PixelImage::no_segment) continue;
         const Eigen::Vector3f point(image.x[i], image.y[i], image.z[i]);
         image.segment[i] = segment_of_supervoxel[nearest_plane(point, candidates)];
+        is_mixed |= image.segment[i] != own;
       }
     }
+    if (is_mixed) mixed_.push_back(static_cast<std::uint32_t>(cell));
   }
 }
 
@@ -139,7 +142,7 @@ void CellLabeller::label(const CellImage& cells,
     segment_of_cell_[i] =
         s == CellClusterer::no_owner ? PixelImage::no_segment : segment_of_supervoxel[s];
   }
-  refined_.clear();
+  mixed_.clear();
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     fill_rows(cells, row, image);
     if (refine) refine_row(cells, row, supervoxel_of_cell, segment_of_supervoxel, image);
@@ -149,7 +152,7 @@ void CellLabeller::label(const CellImage& cells,
 void CellLabeller::find_mixed_windows(const CellImage& cells, std::uint32_t radius,
                                       const PixelImage& image, std::vector<PixelSpan>& spans) {
   auto& marks = mixed_window_finder_.clear_marks(cells.size());
-  for (const std::uint32_t cell : refined_) marks[cell] = 1;
+  for (const std::uint32_t cell : mixed_) marks[cell] = 1;
   const TileGrid grid{.edge = cells.edge,
                       .shift_x = cells.shift_x,
                       .shift_y = cells.shift_y,

@@ -50,7 +50,7 @@ class CellLabeller {
   std::vector<std::uint32_t> segment_of_cell_;  // no_segment for empty cells
   std::vector<std::uint32_t> row_;              // of pixels, whole cells
   std::vector<std::uint32_t> borders_;          // of a row: 1 for cells beside another segment
-  std::vector<std::uint32_t> refined_;          // cells
+  std::vector<std::uint32_t> mixed_;            // cells with pixels of other segments
   MixedWindowFinder mixed_window_finder_;
 };
 

@@ -17,11 +17,10 @@ void mark_differences(const std::uint32_t* __restrict segment, std::size_t strid
 }
 
 CLEAVE_MULTIVERSION
-void merge_shifted(const std::uint8_t* __restrict marks, std::size_t shift, std::size_t count,
-                   std::uint8_t* __restrict result) {
-  for (std::size_t i = 0; i < count; ++i) {
-    result[i] = static_cast<std::uint8_t>(marks[i] | marks[i - shift] | marks[i + shift]);
-  }
+void merge(const std::uint8_t* __restrict marks, std::size_t count,
+           std::uint8_t* __restrict result) {
+  for (std::size_t i = 0; i < count; ++i)
+    result[i] = static_cast<std::uint8_t>(result[i] | marks[i]);
 }
 
 }  // namespace
@@ -46,42 +45,31 @@ void MixedWindowFinder::fill_empty_tiles(const TileGrid& grid,
   }
 }
 
-// In steps that double: marks that have spread by r on both sides spread by up to r more at once.
-void MixedWindowFinder::spread_marks(std::size_t step, std::uint32_t distance) {
-  for (std::uint32_t done = 0; done < distance;) {
-    const std::uint32_t further = std::min(std::max(done, 1U), distance - done);
-    const std::size_t shift = further * step;
-    spread_.assign(mixed_.begin(), mixed_.end());
-    if (mixed_.size() > 2 * shift) {
-      merge_shifted(mixed_.data() + shift, shift, mixed_.size() - 2 * shift,
-                    spread_.data() + shift);
-    }
-    mixed_.swap(spread_);
-    done += further;
+// Marks of all tiles that windows around a row of pixels reach into.
+void MixedWindowFinder::merge_rows(const TileGrid& grid, std::uint32_t y, std::uint32_t radius) {
+  const std::uint32_t middle = y + grid.shift_y;
+  const std::uint32_t first = (middle - std::min(middle, radius)) / grid.edge;
+  const std::uint32_t last = std::min((middle + radius) / grid.edge, grid.rows - 1);
+  row_.assign(grid.columns, 0);
+  for (std::uint32_t row = first; row <= last; ++row) {
+    merge(mixed_.data() + grid.first + row * grid.stride, grid.columns, row_.data());
   }
 }
 
-void MixedWindowFinder::list_spans(const TileGrid& grid, const ImageLayout& layout,
-                                   std::vector<PixelSpan>& spans) const {
-  spans.clear();
-  const auto inside = [](std::size_t tile, std::uint32_t edge, std::uint32_t shift,
-                         std::uint32_t size) {
-    const std::size_t pixel = tile * edge;
-    return std::min<std::size_t>(pixel > shift ? pixel - shift : 0, size);
-  };
-  for (std::uint32_t y = 0; y < layout.height; ++y) {
-    const std::uint8_t* mixed =
-        mixed_.data() + grid.first + (y + grid.shift_y) / grid.edge * grid.stride;
-    for (std::size_t c = 0; c < grid.columns;) {
-      if (mixed[c] == 0) {
-        ++c;
-        continue;
-      }
-      const std::size_t first = c;
-      while (c < grid.columns && mixed[c] != 0) ++c;
-      spans.push_back({layout.row_begin(y) + inside(first, grid.edge, grid.shift_x, layout.width),
-                       layout.row_begin(y) + inside(c, grid.edge, grid.shift_x, layout.width)});
-    }
+void MixedWindowFinder::list_spans(const TileGrid& grid, std::uint32_t y, std::uint32_t radius,
+                                   const ImageLayout& layout, std::vector<PixelSpan>& spans) const {
+  const std::size_t row_begin = layout.row_begin(y);
+  std::size_t listed = 0;  // columns of pixels
+  for (std::size_t c = 0; c < grid.columns; ++c) {
+    if (row_[c] == 0) continue;
+    const std::size_t first = c * grid.edge;
+    while (c < grid.columns && row_[c] != 0) ++c;
+    const std::size_t left = first - std::min<std::size_t>(first, radius + grid.shift_x);
+    const std::size_t begin = std::max(left, listed);
+    const std::size_t end =
+        std::min<std::size_t>(c * grid.edge + radius - grid.shift_x, layout.width);
+    if (begin < end) spans.push_back({row_begin + begin, row_begin + end});
+    listed = std::max(listed, end);
   }
 }
 
@@ -89,7 +77,8 @@ void MixedWindowFinder::find(const TileGrid& grid, std::span<const std::uint32_t
                              std::uint32_t radius, const ImageLayout& layout,
                              std::vector<PixelSpan>& spans) {
   fill_empty_tiles(grid, segment);
-  // Up to the grid's last row and column: what lies behind is no neighbour.
+  // A window with both tiles of a pair holds the marked one. Up to the grid's last row and column:
+  // what lies behind is no neighbour.
   for (std::uint32_t row = 0; row < grid.rows; ++row) {
     const std::size_t begin = grid.first + row * grid.stride;
     const std::size_t below = row + 1 < grid.rows ? grid.stride : 0;
@@ -97,11 +86,11 @@ void MixedWindowFinder::find(const TileGrid& grid, std::span<const std::uint32_t
     const std::size_t last = begin + grid.columns - 1;
     if (filled_[last] != filled_[last + below]) mixed_[last] = 1;
   }
-  // A window with both tiles of a pair holds the marked one.
-  const std::uint32_t tiles = (radius + grid.edge - 1) / grid.edge;
-  spread_marks(1, tiles);
-  spread_marks(grid.stride, tiles);
-  list_spans(grid, layout, spans);
+  spans.clear();
+  for (std::uint32_t y = 0; y < layout.height; ++y) {
+    merge_rows(grid, y, radius);
+    list_spans(grid, y, radius, layout, spans);
+  }
 }
 
 }  // namespace cleave::segmentation

@@ -35,12 +35,12 @@ class MixedWindowFinder {
 
  private:
   void fill_empty_tiles(const TileGrid& grid, std::span<const std::uint32_t> segment);
-  void spread_marks(std::size_t step, std::uint32_t distance);
-  void list_spans(const TileGrid& grid, const ImageLayout& layout,
-                  std::vector<PixelSpan>& spans) const;
+  void merge_rows(const TileGrid& grid, std::uint32_t y, std::uint32_t radius);
+  void list_spans(const TileGrid& grid, std::uint32_t y, std::uint32_t radius,
+                  const ImageLayout& layout, std::vector<PixelSpan>& spans) const;
 
   std::vector<std::uint32_t> filled_;
-  std::vector<std::uint8_t> mixed_, spread_;
+  std::vector<std::uint8_t> mixed_, row_;
 };
 
 }  // namespace cleave::segmentation

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "segmentation/multiversion.hpp"
+#include "segmentation/simd.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -12,26 +13,47 @@ namespace {
 constexpr std::size_t block = 16;  // pixels that are counted at a time
 
 struct Votes {
-  std::array<std::int32_t, block> own{}, all{};  // pixels in the window
+  std::array<std::int32_t, block> own, all;  // pixels in the window
 };
+
+struct Lanes {
+  Float8 depth_m;
+  Int8 segment, own, all;
+};
+
+// Adds one of a window's pixels, for eight windows side by side; true is -1.
+inline __attribute__((always_inline)) void count_vote(const std::uint32_t* segment,
+                                                      const float* depth_m, float depth_gate_m,
+                                                      Lanes& lanes) {
+  Float8 step_m;
+  Int8 other;
+  load(depth_m, step_m);
+  load(segment, other);
+  step_m -= lanes.depth_m;
+  const Int8 counts = (step_m <= depth_gate_m) & (step_m >= -depth_gate_m);
+  lanes.all -= counts;
+  lanes.own -= counts & (other == lanes.segment);
+}
 
 // Where nothing was measured, depth is infinite: no gate lets it in.
 CLEAVE_MULTIVERSION
 void count_votes(const std::uint32_t* segment, const float* depth_m, std::ptrdiff_t stride,
-                 std::ptrdiff_t radius, float depth_gate_m, Votes& result) {
-  Votes votes;
+                 std::ptrdiff_t radius, float depth_gate_m, Votes& votes) {
+  Lanes left{}, right{};
+  load(segment, left.segment);
+  load(depth_m, left.depth_m);
+  load(segment + 8, right.segment);
+  load(depth_m + 8, right.depth_m);
   for (std::ptrdiff_t dy = -radius; dy <= radius; ++dy) {
     for (std::ptrdiff_t offset = dy * stride - radius; offset <= dy * stride + radius; ++offset) {
-      const std::uint32_t* other = segment + offset;
-      const float* other_m = depth_m + offset;
-      for (std::size_t i = 0; i < block; ++i) {
-        const int counts = std::abs(other_m[i] - depth_m[i]) <= depth_gate_m ? 1 : 0;
-        votes.all[i] += counts;
-        votes.own[i] += other[i] == segment[i] ? counts : 0;
-      }
+      count_vote(segment + offset, depth_m + offset, depth_gate_m, left);
+      count_vote(segment + offset + 8, depth_m + offset + 8, depth_gate_m, right);
     }
   }
-  result = votes;
+  store(left.own, votes.own.data());
+  store(left.all, votes.all.data());
+  store(right.own, votes.own.data() + 8);
+  store(right.all, votes.all.data() + 8);
 }
 
 }  // namespace

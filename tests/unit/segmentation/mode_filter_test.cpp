@@ -112,6 +112,55 @@ TEST(ModeFilter, MissesNoWindowWithTwoSegments) {
   }
 }
 
+// Tiles of 3 x 3 pixels, as cells are, of which a few hold several segments.
+TEST(ModeFilter, MissesNoWindowWithTwoSegmentsAmongTiles) {
+  constexpr std::uint32_t edge = 3;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    TileGrid grid{.edge = edge,
+                  .shift_x = seed % 3,
+                  .shift_y = seed / 3 % 3,
+                  .columns = 15,
+                  .rows = 12,
+                  .stride = 17,
+                  .first = 20};
+    const auto width = grid.columns * edge - grid.shift_x - 1;
+    const auto height = grid.rows * edge - grid.shift_y - 2;
+    PixelImage image = empty_image(width, height);
+    Segments tiles(grid.stride * (grid.rows + 3), PixelImage::no_segment);
+    MixedWindowFinder finder;
+    auto& marks = finder.clear_marks(tiles.size());
+    for (std::uint32_t row = 0; row < grid.rows; ++row) {
+      for (std::uint32_t column = 0; column < grid.columns; ++column) {
+        if (random() % 4 == 0) continue;
+        const std::size_t tile = grid.first + row * grid.stride + column;
+        tiles[tile] = column < 7 ? 1 : 2;
+        const bool mixed = random() % 40 == 0;
+        marks[tile] = mixed ? 1 : 0;
+        for (std::uint32_t k = 0; k < edge * edge; ++k) {
+          const std::uint32_t x = column * edge + k % edge - grid.shift_x;
+          const std::uint32_t y = row * edge + k / edge - grid.shift_y;
+          if (x >= width || y >= height) continue;  // below 0 wraps around
+          const std::size_t i = image.layout.row_begin(y) + x;
+          image.segment[i] = mixed && random() % 2 == 0 ? 3 : tiles[tile];
+          image.z[i] = 1;
+        }
+      }
+    }
+    for (const std::uint32_t radius : {1U, 4U, 7U}) {
+      PixelImage filtered = image;
+      std::vector<PixelSpan> spans;
+      MixedWindowFinder again;
+      again.clear_marks(tiles.size()) = marks;
+      again.find(grid, tiles, radius, image.layout, spans);
+
+      ModeFilter().filter(filtered, spans, radius, 0.02F);
+
+      EXPECT_EQ(inside(filtered), naive_filter(image, radius, 0.02F)) << seed;
+    }
+  }
+}
+
 TEST(ModeFilter, TakesAWindowLargerThanTheImage) {
   PixelImage image = empty_image(3, 2);
   for (std::uint32_t y = 0; y < 2; ++y) {
