@@ -145,7 +145,8 @@ void CellImager::sum_front_layer(const PixelImage& pixels, std::uint32_t first_r
   const std::size_t first = pixels.layout.row_begin(first_row) - cells.shift_x;
   std::fill(limit_m_.begin(), limit_m_.end(), PixelImage::no_depth);
   for (std::uint32_t row = 0; row < rows; ++row) {
-    take_nearest(&pixels.z[first + row * pixels.layout.stride], width, limit_m_.data());
+    take_nearest(&pixels.z[first + std::size_t{row} * pixels.layout.stride], width,
+                 limit_m_.data());
   }
   for (float* limit = limit_m_.data(); limit < limit_m_.data() + width; limit += edge) {
     const float nearest = *std::min_element(limit, limit + edge);
@@ -154,7 +155,7 @@ void CellImager::sum_front_layer(const PixelImage& pixels, std::uint32_t first_r
   }
   for (auto* sum : {&sum_x_, &sum_y_, &sum_z_, &count_}) std::fill(sum->begin(), sum->end(), 0.0F);
   for (std::uint32_t row = 0; row < rows; ++row) {
-    const std::size_t begin = first + row * pixels.layout.stride;
+    const std::size_t begin = first + std::size_t{row} * pixels.layout.stride;
     add_near_points(&pixels.x[begin], &pixels.y[begin], &pixels.z[begin], limit_m_.data(), width,
                     sum_x_.data(), sum_y_.data(), sum_z_.data(), count_.data());
   }
