@@ -19,6 +19,9 @@ function(cleave_compile_options target)
     target_compile_options(${target} PUBLIC
       -fsanitize=${CLEAVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=${CLEAVE_SANITIZE})
+    # Eigen aligns by hand under the address sanitizer only; what PCL's library then frees is no
+    # pointer of malloc's.
+    target_compile_definitions(${target} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()
 
