@@ -2,10 +2,13 @@
 
 #include <pcl/console/print.h>
 
+#include <memory>
+
 namespace cleave::peers {
 
 PclCloud::Ptr to_pcl(const segmentation::CloudView& cloud) {
-  PclCloud::Ptr result(new PclCloud(cloud.width, cloud.height));
+  // Not `new`: PCL's library would give it back by another `delete` than this standard's.
+  const auto result = std::make_shared<PclCloud>(cloud.width, cloud.height);
   result->is_dense = false;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const float* p = cloud.point(i);
