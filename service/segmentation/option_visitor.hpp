@@ -28,8 +28,8 @@ void visit_options(Options& options, Visitor&& visitor) {
   constexpr double quarter_turn_rad = 1.5708;
   using Names = std::string_view;
 
-  choice("algorithm", options.algorithm, std::array{Names("ssc")},
-         "ssc: Spectral Supervoxel Clustering");
+  choice("algorithm", options.algorithm, std::array{Names("ssc"), Names("convex-components")},
+         "ssc: Spectral Supervoxel Clustering; convex-components: what convex edges connect");
 
   choice("representation", options.representation, std::array{Names("cells"), Names("voxels")},
          "cells: of an image, fast, voxels where the cloud is none; voxels: of any cloud");
@@ -71,6 +71,9 @@ void visit_options(Options& options, Visitor&& visitor) {
                  "least utility of a cut (equation 4.8)");
   visitor.integer("partition.coarsening_rounds", options.partition.coarsening_rounds, 0, 20,
                   "rounds of joining smooth neighbours before the graph is cut");
+
+  visitor.number("convex_components.tolerance_rad", options.convex_components.tolerance_rad, 0,
+                 2 * quarter_turn_rad, "concave angle up to which an edge connects, radians");
 
   visitor.integer("clean_up.min_segment_points", options.clean_up.min_segment_points, 0, 1000000,
                   "smaller segments join a neighbour; 0: off");

@@ -5,7 +5,7 @@
 
 namespace cleave::segmentation {
 
-enum class Algorithm { ssc };
+enum class Algorithm { ssc, convex_components };
 
 // Where the cloud was seen from. `automatic`: single if every finite point has z > 0.
 enum class Viewpoint { automatic, single, multiple };
@@ -49,6 +49,10 @@ struct PartitionOptions {
   std::uint32_t coarsening_rounds = 2;
 };
 
+struct ConvexComponentsOptions {
+  float tolerance_rad = 0.3491F;  // concave edges that bend by no more connect: 20 deg
+};
+
 struct CleanUpOptions {
   std::uint32_t min_segment_points = 200;  // smaller segments join a neighbour; 0 = off
 };
@@ -70,6 +74,7 @@ struct Options {
   SupervoxelOptions supervoxel;
   GraphOptions graph;
   PartitionOptions partition;
+  ConvexComponentsOptions convex_components;
   CleanUpOptions clean_up;
   RefineOptions refine;
   DescribeOptions describe;

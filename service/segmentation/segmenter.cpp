@@ -6,8 +6,8 @@
 #include "segmentation/canonical_labels.hpp"
 #include "segmentation/cell_path.hpp"
 #include "segmentation/clean_up.hpp"
+#include "segmentation/graph_partition.hpp"
 #include "segmentation/option_checks.hpp"
-#include "segmentation/partition.hpp"
 #include "segmentation/segment_borders.hpp"
 #include "segmentation/segment_shapes.hpp"
 #include "segmentation/supervoxel_graph.hpp"
@@ -20,7 +20,7 @@ namespace cleave::segmentation {
 struct Segmenter::Workspace {
   VoxelPath voxel_path;
   CellPath cell_path;
-  Partitioner partitioner;
+  GraphPartitioner partitioner;
   SmallSegmentMerger merger;
   LabelOrder label_order;
   ShapeDescriber shape_describer;
@@ -127,7 +127,7 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   ended(Stage::graph);
 
   w.segments = w.partitioner.partition(static_cast<std::uint32_t>(w.supervoxels.size()), w.edges,
-                                       options_.partition, w.segment_of_supervoxel);
+                                       options_, w.segment_of_supervoxel);
   ended(Stage::partition);
 
   w.merger.merge(w.edges, w.supervoxels.point_count, w.segments,

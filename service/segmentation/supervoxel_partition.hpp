@@ -7,8 +7,8 @@
 
 #include "segmentation/adjacency.hpp"
 #include "segmentation/clean_up.hpp"
+#include "segmentation/graph_partition.hpp"
 #include "segmentation/options.hpp"
-#include "segmentation/partition.hpp"
 #include "segmentation/supervoxel_graph.hpp"
 #include "segmentation/surfel.hpp"
 
@@ -22,7 +22,7 @@ struct ForeignSupervoxels {
   std::vector<AdjacentPair> adjacent_pairs;
 };
 
-// Graph, Algorithm 1 and clean-up. Reuses its memory; deterministic.
+// Graph, partition and clean-up. Reuses its memory; deterministic.
 class SupervoxelPartitioner {
  public:
   // Gives every supervoxel a segment below the number returned; a number whose segment joined
@@ -31,7 +31,7 @@ class SupervoxelPartitioner {
                           std::vector<std::uint32_t>& segment);
 
  private:
-  Partitioner partitioner_;
+  GraphPartitioner partitioner_;
   SmallSegmentMerger merger_;
   std::vector<SupervoxelEdge> edges_;
 };

@@ -1,0 +1,15 @@
+#include "segmentation/graph_partition.hpp"
+
+namespace cleave::segmentation {
+
+std::uint32_t GraphPartitioner::partition(std::uint32_t supervoxels,
+                                          const std::vector<SupervoxelEdge>& edges,
+                                          const Options& options,
+                                          std::vector<std::uint32_t>& segment) {
+  if (options.algorithm == Algorithm::convex_components) {
+    return convex_components_.find(supervoxels, edges, options.convex_components, segment);
+  }
+  return partitioner_.partition(supervoxels, edges, options.partition, segment);
+}
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,27 @@
+// From the graph to segments, by the algorithm that the options name.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/convex_components.hpp"
+#include "segmentation/options.hpp"
+#include "segmentation/partition.hpp"
+#include "segmentation/supervoxel_graph.hpp"
+
+namespace cleave::segmentation {
+
+// Reuses its memory; deterministic.
+class GraphPartitioner {
+ public:
+  // Gives every supervoxel a segment, numbered from 0 without gaps, and returns their number. Only
+  // valid edges connect and count.
+  std::uint32_t partition(std::uint32_t supervoxels, const std::vector<SupervoxelEdge>& edges,
+                          const Options& options, std::vector<std::uint32_t>& segment);
+
+ private:
+  Partitioner partitioner_;
+  ConvexComponents convex_components_;
+};
+
+}  // namespace cleave::segmentation
