@@ -7,6 +7,8 @@
 namespace cleave::client {
 
 void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments) {
+  command.add_flag("--thesis", arguments.thesis,
+                   "start from the options of the thesis, not from ours");
   command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
   command.add_option("--set", arguments.settings,
                      "an option of the segmentation; may be repeated")
@@ -15,7 +17,8 @@ void add_segmentation_options(CLI::App& command, SegmentationArguments& argument
 }
 
 segmentation::Options options_of(const SegmentationArguments& arguments) {
-  segmentation::Options options;
+  segmentation::Options options =
+      arguments.thesis ? segmentation::thesis() : segmentation::Options{};
   try {
     if (!arguments.algorithm.empty()) set_option(options, "algorithm=" + arguments.algorithm);
     for (const std::string& setting : arguments.settings) set_option(options, setting);

@@ -10,11 +10,12 @@
 namespace cleave::client {
 
 struct SegmentationArguments {
+  bool thesis = false;                // start from the thesis's options instead of ours
   std::string algorithm;              // empty = the default
   std::vector<std::string> settings;  // KEY=VALUE
 };
 
-// --algorithm and --set.
+// --thesis, --algorithm and --set.
 void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments);
 
 // Throws UsageError for what is no option or no value of one.
