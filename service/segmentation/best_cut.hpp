@@ -4,22 +4,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "segmentation/cut_finder.hpp"
 #include "segmentation/subgraphs.hpp"
 
 namespace cleave::segmentation {
 
-struct Cut {
-  std::size_t order = 0;       // the eigenvector, as an order of SubgraphStore
-  std::uint32_t position = 0;  // so many of its first vertices are one side
-  double utility = 0;          // equation 4.8; 0: there is no cut across a cannot-link edge
-};
-
-class BestCutFinder {
+// Utility is that of equation 4.8: 0 without a cut across a cannot-link edge.
+class BestCutFinder final : public CutFinder {
  public:
+  [[nodiscard]] bool may_cut(const SubgraphStore& store, const Subgraph& graph) const override {
+    return store.has_cannot_link(graph);
+  }
   // The cut of the highest utility, the earliest among equals. Every edge is added to the cut where
   // the order meets its first end and taken out where it meets the second, so one pass over the
   // edges and one over the vertices judge all cuts of an eigenvector.
-  [[nodiscard]] Cut find(const SubgraphStore& store, const Subgraph& graph);
+  [[nodiscard]] Cut find(const SubgraphStore& store, const Subgraph& graph) override;
 
  private:
   struct Change {

@@ -64,12 +64,13 @@ void GraphCoarsener::add_up_edges(const std::vector<SupervoxelEdge>& edges,
   for (const std::uint64_t key : ranking_.distinct_keys()) {
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
     edges_.push_back(
-        {static_cast<std::uint32_t>(key >> bits), static_cast<std::uint32_t>(key & mask), 0, 0});
+        {static_cast<std::uint32_t>(key >> bits), static_cast<std::uint32_t>(key & mask), 0, 0, 0});
   }
   for (std::size_t i = 0; i < between_.size(); ++i) {
     CutEdge& sum = edges_[ranking_.rank_of_item()[i]];
     sum.weight += edges[between_[i]].weight;
     sum.cannot_links += edges[between_[i]].cannot_link ? 1 : 0;
+    sum.cannot_link_weight += edges[between_[i]].cannot_link ? edges[between_[i]].weight : 0;
   }
 }
 

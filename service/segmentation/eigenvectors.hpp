@@ -1,4 +1,5 @@
-// The spectral relaxation: small eigenvectors of a graph's Laplacian (sections 2.2.2.1, 4.1.3.2).
+// The spectral relaxation: small eigenvectors of a graph's Laplacian (sections 2.2.2, 4.1.3.2 and,
+// signed, 4.1.4).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +10,18 @@
 
 #include "segmentation/elimination_order.hpp"
 #include "segmentation/lanczos.hpp"
+#include "segmentation/options.hpp"
 #include "segmentation/sparse_ldl.hpp"
 #include "segmentation/weighted_edge.hpp"
 
 namespace cleave::segmentation {
+
+struct LaplacianKind {
+  Laplacian normalisation = Laplacian::unnormalised;
+  // Weights may be negative: degrees are sums of their magnitudes (equation 4.9), and no
+  // eigenvector is trivial.
+  bool is_signed = false;
+};
 
 // For a graph and the connected subgraphs that it is cut into. The same graph gives the same bits;
 // no allocation once warm.
@@ -25,11 +34,12 @@ class LaplacianEigensolver {
   void reset(std::uint32_t vertices, std::span<const WeightedEdge> edges);
 
   // Unit eigenvectors of the `wanted` (at most 100) smallest eigenvalues of L = D - A (equation
-  // 2.11) after the trivial one, ascending; fewer where the graph has no more. For a connected
-  // subgraph of two vertices or more, named as in the whole. The result is valid until the next
-  // call.
+  // 2.11; 4.14 if signed) or of what normalisation makes of it (2.13, 2.14), after the trivial one
+  // where there is one, ascending; fewer where the graph has no more. For a connected subgraph of
+  // two vertices or more, named as in the whole. The result is valid until the next call.
   [[nodiscard]] Vectors solve(std::span<const std::uint32_t> vertices,
-                              std::span<const WeightedEdge> edges, std::uint32_t wanted);
+                              std::span<const WeightedEdge> edges, std::uint32_t wanted,
+                              LaplacianKind kind = {});
 
  private:
   // Measured: below, the dense solver is faster.
@@ -38,8 +48,12 @@ class LaplacianEigensolver {
 
   void place_in_order(std::span<const std::uint32_t> vertices);
   void lay_out_rows(std::span<const WeightedEdge> edges);
-  std::uint32_t solve_dense(std::span<const WeightedEdge> edges, std::uint32_t wanted);
-  std::uint32_t solve_sparse(std::span<const WeightedEdge> edges, std::uint32_t wanted);
+  void normalise_rows();
+  void turn_into_random_walk(std::uint32_t count);
+  std::uint32_t solve_dense(std::span<const WeightedEdge> edges, std::uint32_t wanted,
+                            LaplacianKind kind);
+  std::uint32_t solve_sparse(std::span<const WeightedEdge> edges, std::uint32_t wanted,
+                             LaplacianKind kind);
 
   EliminationOrder order_;
   SparseLdl factorisation_;
@@ -50,6 +64,8 @@ class LaplacianEigensolver {
   std::vector<std::uint32_t> row_;      // of the matrix, of a vertex of the whole
   std::vector<std::uint32_t> fill_;
   SymmetricRows matrix_;
+  std::vector<double> inverse_root_;  // of the degree of a row: the diagonal of D^(-1/2)
+  std::vector<double> trivial_;
   std::vector<double> vectors_;
 };
 

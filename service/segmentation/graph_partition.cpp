@@ -9,6 +9,9 @@ std::uint32_t GraphPartitioner::partition(std::uint32_t supervoxels,
   if (options.algorithm == Algorithm::convex_components) {
     return convex_components_.find(supervoxels, edges, options.convex_components, segment);
   }
+  if (options.algorithm == Algorithm::constrained_ssc) {
+    return partitioner_.partition_constrained(supervoxels, edges, options.partition, segment);
+  }
   return partitioner_.partition(supervoxels, edges, options.partition, segment);
 }
 

@@ -52,7 +52,11 @@ std::span<const double> Lanczos::column(std::uint32_t k) const {
 double Lanczos::orthogonalise(std::uint32_t k) {
   const auto vector = basis(k);
   for (int pass = 0; pass < 2; ++pass) {
-    take_off_mean(vector);
+    if (constant_is_known_) {
+      take_off_mean(vector);
+    } else if (!known_.empty()) {
+      add(-dot(vector, known_), known_, vector);
+    }
     for (std::uint32_t j = 0; j < k; ++j) add(-dot(vector, basis(j)), basis(j), vector);
   }
   return std::sqrt(dot(vector, vector));
@@ -99,6 +103,18 @@ void Lanczos::combine(std::uint32_t steps, std::uint32_t wanted) {
 }
 
 std::uint32_t Lanczos::find(const SparseLdl& matrix, std::uint32_t wanted) {
+  constant_is_known_ = true;
+  return iterate(matrix, wanted);
+}
+
+std::uint32_t Lanczos::find(const SparseLdl& matrix, std::uint32_t wanted,
+                            std::span<const double> known) {
+  constant_is_known_ = false;
+  known_ = known;
+  return iterate(matrix, wanted);
+}
+
+std::uint32_t Lanczos::iterate(const SparseLdl& matrix, std::uint32_t wanted) {
   size_ = matrix.size();
   const auto dimensions = static_cast<std::uint32_t>(std::min<std::size_t>(size_ - 1, max_basis));
   wanted = std::min({wanted, max_wanted, dimensions});

@@ -28,8 +28,10 @@ void visit_options(Options& options, Visitor&& visitor) {
   constexpr double quarter_turn_rad = 1.5708;
   using Names = std::string_view;
 
-  choice("algorithm", options.algorithm, std::array{Names("ssc"), Names("convex-components")},
-         "ssc: Spectral Supervoxel Clustering; convex-components: what convex edges connect");
+  choice("algorithm", options.algorithm,
+         std::array{Names("ssc"), Names("constrained-ssc"), Names("convex-components")},
+         "ssc: Spectral Supervoxel Clustering; constrained-ssc: with cannot-link edges in the "
+         "eigenproblem; convex-components: what convex edges connect");
 
   choice("representation", options.representation, std::array{Names("cells"), Names("voxels")},
          "cells: of an image, fast, voxels where the cloud is none; voxels: of any cloud");
@@ -69,6 +71,14 @@ void visit_options(Options& options, Visitor&& visitor) {
                   "k of algorithm 1");
   visitor.number("partition.utility_threshold", options.partition.utility_threshold, 0, 1e6,
                  "least utility of a cut (equation 4.8)");
+  choice("partition.decomposition", options.partition.decomposition,
+         std::array{Names("recursive"), Names("single")},
+         "recursive: parts are decomposed anew; single: all cuts from one decomposition");
+  choice("partition.laplacian", options.partition.laplacian,
+         std::array{Names("unnormalised"), Names("symmetric"), Names("random-walk")},
+         "whose eigenvectors: equation 2.11, 2.13 or 2.14");
+  visitor.number("partition.cannot_link_weight", options.partition.cannot_link_weight, 0, 1000,
+                 "constrained-ssc: -omega_CL, weight of cannot-link edges against linking");
   visitor.integer("partition.coarsening_rounds", options.partition.coarsening_rounds, 0, 20,
                   "rounds of joining smooth neighbours before the graph is cut");
 

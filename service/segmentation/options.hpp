@@ -5,7 +5,7 @@
 
 namespace cleave::segmentation {
 
-enum class Algorithm { ssc, convex_components };
+enum class Algorithm { ssc, constrained_ssc, convex_components };
 
 // Where the cloud was seen from. `automatic`: single if every finite point has z > 0.
 enum class Viewpoint { automatic, single, multiple };
@@ -14,6 +14,13 @@ enum class Viewpoint { automatic, single, multiple };
 // image seen from one viewpoint: an organised cloud in which all points have z > 0, x/z grows along
 // rows and y/z along columns. Any other cloud is made into voxels.
 enum class Representation { cells, voxels };
+
+// Which Laplacian the eigenvectors are of: equation 2.11, 2.13 or 2.14.
+enum class Laplacian { unnormalised, symmetric, random_walk };
+
+// Whether the parts that a graph was cut into are decomposed anew (Algorithm 1), or all cuts come
+// from the eigenvectors of the whole (section 5.3.2).
+enum class Decomposition { recursive, single };
 
 struct VoxelOptions {
   // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
@@ -44,6 +51,11 @@ struct GraphOptions {
 struct PartitionOptions {
   std::uint32_t eigenvectors = 10;  // k of Algorithm 1, the constant one not counted
   float utility_threshold = 0.5F;   // Algorithm 1, line 13
+  Decomposition decomposition = Decomposition::recursive;
+  Laplacian laplacian = Laplacian::unnormalised;
+  // Constrained SSC, which takes one eigenvector: what a cannot-link edge weighs less than nothing
+  // in the Laplacian, -omega_CL of section 4.1.4. 0: the ratio cut of plain SSC.
+  float cannot_link_weight = 1;
   // Each joins up to half of the supervoxels with a neighbour on the same smooth surface before
   // the graph is cut.
   std::uint32_t coarsening_rounds = 2;

@@ -1,4 +1,4 @@
-// Algorithm 1: Spectral Supervoxel Clustering.
+// Spectral Supervoxel Clustering (section 4.1.3), plain and constrained (4.1.4).
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,8 @@
 
 #include "segmentation/best_cut.hpp"
 #include "segmentation/coarse_graph.hpp"
-#include "segmentation/eigenvectors.hpp"
 #include "segmentation/options.hpp"
-#include "segmentation/subgraphs.hpp"
+#include "segmentation/spectral_cuts.hpp"
 #include "segmentation/supervoxel_graph.hpp"
 
 namespace cleave::segmentation {
@@ -20,22 +19,22 @@ class Partitioner {
   std::uint32_t partition(std::uint32_t supervoxels, const std::vector<SupervoxelEdge>& edges,
                           const PartitionOptions& options, std::vector<std::uint32_t>& segment);
 
+  // The same on the signed Laplacian (equation 4.14), along its one smallest eigenvector: that no
+  // more than one is sound is proven for cuts in two only.
+  std::uint32_t partition_constrained(std::uint32_t supervoxels,
+                                      const std::vector<SupervoxelEdge>& edges,
+                                      const PartitionOptions& options,
+                                      std::vector<std::uint32_t>& segment);
+
  private:
-  [[nodiscard]] LaplacianEigensolver::Vectors eigenvectors(const Subgraph& graph,
-                                                           std::uint32_t wanted);
-  bool cut_along_orders(const Subgraph& graph, double utility_threshold);
-  void finish(const Subgraph& graph);
+  std::uint32_t cut(std::uint32_t supervoxels, const std::vector<SupervoxelEdge>& edges,
+                    std::uint32_t coarsening_rounds, const SpectralSettings& settings,
+                    std::vector<std::uint32_t>& segment);
 
   GraphCoarsener coarsener_;
-  LaplacianEigensolver eigensolver_;
-  SubgraphStore store_;
+  SpectralCutter cutter_;
   BestCutFinder best_cut_finder_;
-  std::uint32_t segments_ = 0;
   std::vector<std::uint32_t> segment_of_vertex_;
-  std::vector<Subgraph> queue_;   // Q: subgraphs that are to be decomposed
-  std::vector<Subgraph> active_;  // A: parts that are still cut along the current eigenvectors
-  std::vector<Subgraph> uncut_;   // parts that the current eigenvectors do not cut any more
-  std::vector<WeightedEdge> weighted_edges_;
 };
 
 }  // namespace cleave::segmentation

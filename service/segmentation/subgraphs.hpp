@@ -12,6 +12,7 @@ struct CutEdge {
   std::uint32_t first = 0, second = 0;
   float weight = 0;
   std::int32_t cannot_links = 0;  // how many edges of equation 4.7 it stands for
+  float cannot_link_weight = 0;   // what those are of the weight
 };
 
 // Valid for the SubgraphStore it is from, until that subgraph is split.
