@@ -8,19 +8,21 @@
 #include "segmentation/options.hpp"
 #include "segmentation/partition.hpp"
 #include "segmentation/supervoxel_graph.hpp"
+#include "segmentation/voxel_partition.hpp"
 
 namespace cleave::segmentation {
 
 // Reuses its memory; deterministic.
 class GraphPartitioner {
  public:
-  // Gives every supervoxel a segment, numbered from 0 without gaps, and returns their number. Only
-  // valid edges connect and count.
+  // Gives every supervoxel (of svc: every voxel) a segment, numbered from 0 without gaps, and
+  // returns their number. Only valid edges connect and count.
   std::uint32_t partition(std::uint32_t supervoxels, const std::vector<SupervoxelEdge>& edges,
                           const Options& options, std::vector<std::uint32_t>& segment);
 
  private:
   Partitioner partitioner_;
+  VoxelPartitioner voxel_partitioner_;
   ConvexComponents convex_components_;
 };
 

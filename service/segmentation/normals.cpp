@@ -29,4 +29,12 @@ void NormalEstimator::estimate(const std::vector<Eigen::Vector3f>& centroid,
   }
 }
 
+void NormalEstimator::estimate_curvature(const NeighbourLists& neighbours,
+                                         std::vector<float>& curvature) const {
+  curvature.resize(one_ring_.size());
+  for (std::size_t v = 0; v < one_ring_.size(); ++v) {
+    curvature[v] = surface_variation(sum_over_ring(one_ring_, neighbours, v));
+  }
+}
+
 }  // namespace cleave::segmentation

@@ -1,4 +1,4 @@
-// Normals of voxels (section 2.1.2.2).
+// Normals and curvatures of voxels (section 2.1.2.2).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +17,8 @@ class NormalEstimator {
   // near ones count more. Unit normals towards the sensor; see fit_normal for lone voxels.
   void estimate(const std::vector<Eigen::Vector3f>& centroid, const NeighbourLists& neighbours,
                 std::vector<Surfel>& surfels);
+  // Surface variation (equation 2.2) of the same centroids; needs estimate() before.
+  void estimate_curvature(const NeighbourLists& neighbours, std::vector<float>& curvature) const;
 
  private:
   std::vector<Moments> own_, one_ring_;

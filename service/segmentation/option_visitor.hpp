@@ -28,10 +28,11 @@ void visit_options(Options& options, Visitor&& visitor) {
   constexpr double quarter_turn_rad = 1.5708;
   using Names = std::string_view;
 
-  choice("algorithm", options.algorithm,
-         std::array{Names("ssc"), Names("constrained-ssc"), Names("convex-components")},
-         "ssc: Spectral Supervoxel Clustering; constrained-ssc: with cannot-link edges in the "
-         "eigenproblem; convex-components: what convex edges connect");
+  choice(
+      "algorithm", options.algorithm,
+      std::array{Names("ssc"), Names("constrained-ssc"), Names("svc"), Names("convex-components")},
+      "ssc: Spectral Supervoxel Clustering; constrained-ssc: with cannot-link edges in the "
+      "eigenproblem; svc: Spectral Voxel Clustering; convex-components: what convex edges connect");
 
   choice("representation", options.representation, std::array{Names("cells"), Names("voxels")},
          "cells: of an image, fast, voxels where the cloud is none; voxels: of any cloud");
@@ -41,6 +42,9 @@ void visit_options(Options& options, Visitor&& visitor) {
   choice("voxel.viewpoint", voxel.viewpoint,
          std::array{Names("automatic"), Names("single"), Names("multiple")},
          "single: voxels grow with depth; multiple: they do not; automatic: single if all z > 0");
+  choice("voxel.neighbourhood", voxel.neighbourhood,
+         std::array{Names("automatic"), Names("6"), Names("18"), Names("26")},
+         "neighbours of a voxel, not of a cell; automatic: 18 for svc, 26 otherwise");
   visitor.number("voxel.grid_offset", voxel.grid_offset, 0, 1, "shift of the grid, voxels");
 
   auto& supervoxel = options.supervoxel;
@@ -81,6 +85,16 @@ void visit_options(Options& options, Visitor&& visitor) {
                  "constrained-ssc: -omega_CL, weight of cannot-link edges against linking");
   visitor.integer("partition.coarsening_rounds", options.partition.coarsening_rounds, 0, 20,
                   "rounds of joining smooth neighbours before the graph is cut");
+
+  auto& svc = options.svc;
+  visitor.number("svc.normal_sigma", svc.normal_sigma, 0, 1e6,
+                 "equation 4.16: weight of the difference of normals");
+  visitor.number("svc.curvature_sigma", svc.curvature_sigma, 0, 1e9,
+                 "equation 4.16: weight of the product of curvatures");
+  visitor.number("svc.utility_threshold", svc.utility_threshold, 0, 1e6,
+                 "least utility of a cut (equation 4.19)");
+  visitor.integer("svc.min_voxels", svc.min_voxels, 1, 1000000,
+                  "voxels that a cut leaves on either side at least");
 
   visitor.number("convex_components.tolerance_rad", options.convex_components.tolerance_rad, 0,
                  2 * quarter_turn_rad, "concave angle up to which an edge connects, radians");

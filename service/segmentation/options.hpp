@@ -5,7 +5,7 @@
 
 namespace cleave::segmentation {
 
-enum class Algorithm { ssc, constrained_ssc, convex_components };
+enum class Algorithm { ssc, constrained_ssc, svc, convex_components };
 
 // Where the cloud was seen from. `automatic`: single if every finite point has z > 0.
 enum class Viewpoint { automatic, single, multiple };
@@ -22,11 +22,16 @@ enum class Laplacian { unnormalised, symmetric, random_walk };
 // from the eigenvectors of the whole (section 5.3.2).
 enum class Decomposition { recursive, single };
 
+// Which voxels are neighbours: those that share a face (6), an edge as well (18), or a corner (26).
+// `automatic`: as in the thesis, 18 for svc and 26 for supervoxels.
+enum class Neighbourhood { automatic, faces, edges, corners };
+
 struct VoxelOptions {
   // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
   // with the distance as the sampling does (section 2.1.2.1); with several, in metres.
   float size_m = 0.006F;
   Viewpoint viewpoint = Viewpoint::automatic;
+  Neighbourhood neighbourhood = Neighbourhood::automatic;  // of voxels, not of cells
   // Shift of the grid in voxels, 0 to 1, for judging a change by its mean over several grids.
   float grid_offset = 0;
 };
@@ -61,6 +66,14 @@ struct PartitionOptions {
   std::uint32_t coarsening_rounds = 2;
 };
 
+// Spectral Voxel Clustering (section 4.2). The thesis gives no numbers; these are measured.
+struct SvcOptions {
+  float normal_sigma = 200;        // eq. 4.16, phi_n
+  float curvature_sigma = 1e5F;    // eq. 4.16, phi_c
+  float utility_threshold = 0.7F;  // of eq. 4.19, eigenvectors scaled to lie between 0 and 1
+  std::uint32_t min_voxels = 30;   // a cut leaves at least as many on both sides
+};
+
 struct ConvexComponentsOptions {
   float tolerance_rad = 0.3491F;  // concave edges that bend by no more connect: 20 deg
 };
@@ -86,6 +99,7 @@ struct Options {
   SupervoxelOptions supervoxel;
   GraphOptions graph;
   PartitionOptions partition;
+  SvcOptions svc;
   ConvexComponentsOptions convex_components;
   CleanUpOptions clean_up;
   RefineOptions refine;

@@ -70,4 +70,14 @@ Eigen::Vector3f fit_normal(const Moments& points) {
   return (normal->dot(mean) > 0 ? Eigen::Vector3d(-*normal) : *normal).cast<float>();
 }
 
+float surface_variation(const Moments& points) {
+  if (!(points.n > 0)) return 0;
+  const Eigen::Matrix3d covariance = points.covariance();
+  const double scale = covariance.cwiseAbs().maxCoeff();
+  if (!(scale > 0)) return 0;
+  // What rounding makes negative is a plane.
+  const double least = std::max(smallest_eigenvalue(covariance / scale), 0.0);
+  return static_cast<float>(least / (covariance.trace() / scale));
+}
+
 }  // namespace cleave::segmentation

@@ -1,4 +1,5 @@
-// The normal of a plane through points, by Principal Component Analysis (section 2.1.2.2).
+// The normal of a plane through points, and how flat they lie, by Principal Component Analysis
+// (section 2.1.2.2).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,5 +23,8 @@ namespace cleave::segmentation {
 // Unit normal at the points' mean, towards the sensor. Where no plane is defined (fewer than three
 // points, or on a line): the direction to the sensor itself.
 [[nodiscard]] Eigen::Vector3f fit_normal(const Moments& points);
+
+// Equation 2.2: how far from a plane the points lie, 0 (on one) to 1/3. 0 where no point is.
+[[nodiscard]] float surface_variation(const Moments& points);
 
 }  // namespace cleave::segmentation

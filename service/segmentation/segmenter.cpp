@@ -37,8 +37,8 @@ struct Segmenter::Workspace {
 
   bool gather(const CloudView& cloud, const Options& options);
   void estimate_normals();
-  void cluster_supervoxels(const SupervoxelOptions& options);
-  void build_graph(const GraphOptions& options);
+  void cluster_supervoxels(const Options& options);
+  void build_graph(const Options& options);
   void label_points(const CloudView& cloud, const RefineOptions& options,
                     std::span<std::uint16_t> labels);
   void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
@@ -48,24 +48,37 @@ struct Segmenter::Workspace {
 };
 
 bool Segmenter::Workspace::gather(const CloudView& cloud, const Options& options) {
-  on_cells = options.representation == Representation::cells &&
-             options.voxel.viewpoint != Viewpoint::multiple &&
-             cell_path.gather(cloud, options.voxel);
-  return on_cells || voxel_path.gather(cloud, options.voxel);
+  on_cells =
+      options.algorithm != Algorithm::svc && options.representation == Representation::cells &&
+      options.voxel.viewpoint != Viewpoint::multiple && cell_path.gather(cloud, options.voxel);
+  VoxelOptions voxel = options.voxel;
+  if (options.algorithm == Algorithm::svc && voxel.neighbourhood == Neighbourhood::automatic) {
+    voxel.neighbourhood = Neighbourhood::edges;
+  }
+  return on_cells || voxel_path.gather(cloud, voxel);
 }
 
 void Segmenter::Workspace::estimate_normals() {
   on_cells ? cell_path.estimate_normals() : voxel_path.estimate_normals();
 }
 
-void Segmenter::Workspace::cluster_supervoxels(const SupervoxelOptions& options) {
-  on_cells ? cell_path.cluster(options, supervoxels) : voxel_path.cluster(options, supervoxels);
+void Segmenter::Workspace::cluster_supervoxels(const Options& options) {
+  if (options.algorithm == Algorithm::svc) {
+    voxel_path.take_voxels_as_supervoxels(supervoxels);
+    return;
+  }
+  on_cells ? cell_path.cluster(options.supervoxel, supervoxels)
+           : voxel_path.cluster(options.supervoxel, supervoxels);
 }
 
-void Segmenter::Workspace::build_graph(const GraphOptions& options) {
+void Segmenter::Workspace::build_graph(const Options& options) {
+  if (options.algorithm == Algorithm::svc) {
+    voxel_path.build_voxel_graph(options.svc, edges);
+    return;
+  }
   on_cells ? cell_path.find_adjacent_pairs(supervoxels, adjacent_pairs)
            : voxel_path.find_adjacent_pairs(supervoxels, adjacent_pairs);
-  build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, options, edges);
+  build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, options.graph, edges);
 }
 
 void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
@@ -120,10 +133,10 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   w.estimate_normals();
   ended(Stage::normals);
 
-  w.cluster_supervoxels(options_.supervoxel);
+  w.cluster_supervoxels(options_);
   ended(Stage::supervoxels);
 
-  w.build_graph(options_.graph);
+  w.build_graph(options_);
   ended(Stage::graph);
 
   w.segments = w.partitioner.partition(static_cast<std::uint32_t>(w.supervoxels.size()), w.edges,

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "segmentation/neighbour_lists.hpp"
+#include "segmentation/options.hpp"
 #include "segmentation/voxel_grid.hpp"
 
 namespace cleave::segmentation {
 
-// Up to 26 neighbours a voxel, ascending. One sweep over the sorted keys, without a lookup table.
-void find_voxel_neighbours(const VoxelGrid& grid, NeighbourLists& neighbours);
+// Up to 6, 18 or 26 neighbours a voxel, ascending; `automatic` is 26. One sweep over the sorted
+// keys, without a lookup table.
+void find_voxel_neighbours(const VoxelGrid& grid, Neighbourhood neighbourhood,
+                           NeighbourLists& neighbours);
 
 }  // namespace cleave::segmentation

@@ -1,6 +1,7 @@
 #include "segmentation/voxel_path.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "segmentation/voxel_neighbours.hpp"
 
@@ -10,7 +11,7 @@ bool VoxelPath::gather(const CloudView& cloud, const VoxelOptions& options) {
   gather_finite_points(cloud, points_);
   if (points_.size() == 0) return false;
   voxeliser_.voxelise(points_, options, grid_);
-  find_voxel_neighbours(grid_, neighbours_);
+  find_voxel_neighbours(grid_, options.neighbourhood, neighbours_);
   return true;
 }
 
@@ -22,6 +23,21 @@ void VoxelPath::cluster(const SupervoxelOptions& options, Supervoxels& supervoxe
   const std::uint32_t count =
       clusterer_.cluster(voxels_, neighbours_, options, supervoxels.of_voxel);
   fitter_.fit(grid_, voxels_, count, options.refit_from_points, supervoxels);
+}
+
+void VoxelPath::take_voxels_as_supervoxels(Supervoxels& supervoxels) const {
+  supervoxels.of_voxel.resize(voxels_.size());
+  std::iota(supervoxels.of_voxel.begin(), supervoxels.of_voxel.end(), 0U);
+  supervoxels.surfel = voxels_;
+  supervoxels.point_count.resize(voxels_.size());
+  for (std::size_t v = 0; v < voxels_.size(); ++v) {
+    supervoxels.point_count[v] = static_cast<std::uint32_t>(grid_.moments[v].n);
+  }
+}
+
+void VoxelPath::build_voxel_graph(const SvcOptions& options, std::vector<SupervoxelEdge>& edges) {
+  normal_estimator_.estimate_curvature(neighbours_, curvature_);
+  voxel_graph_builder_.build(voxels_, curvature_, neighbours_, options, edges);
 }
 
 void VoxelPath::find_adjacent_pairs(const Supervoxels& supervoxels,

@@ -15,6 +15,7 @@
 #include "segmentation/supervoxel_clustering.hpp"
 #include "segmentation/supervoxels.hpp"
 #include "segmentation/surface.hpp"
+#include "segmentation/voxel_graph.hpp"
 #include "segmentation/voxel_grid.hpp"
 
 namespace cleave::segmentation {
@@ -26,6 +27,10 @@ class VoxelPath {
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
   void estimate_normals();
   void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
+  // For Spectral Voxel Clustering, instead of cluster() and a graph of supervoxels: each voxel is
+  // one, and neighbours are joined.
+  void take_voxels_as_supervoxels(Supervoxels& supervoxels) const;
+  void build_voxel_graph(const SvcOptions& options, std::vector<SupervoxelEdge>& edges);
   void find_adjacent_pairs(const Supervoxels& supervoxels, std::vector<AdjacentPair>& pairs);
   void label_points(const CloudView& cloud, const Supervoxels& supervoxels,
                     const std::vector<std::uint32_t>& segment_of_supervoxel,
@@ -44,6 +49,7 @@ class VoxelPath {
   Voxeliser voxeliser_;
   NormalEstimator normal_estimator_;
   SupervoxelClusterer clusterer_;
+  VoxelGraphBuilder voxel_graph_builder_;
   SupervoxelFitter fitter_;
   AdjacencyFinder adjacency_finder_;
   BoundaryRefiner boundary_refiner_;
@@ -54,6 +60,7 @@ class VoxelPath {
   VoxelGrid grid_;
   NeighbourLists neighbours_;   // of voxels
   std::vector<Surfel> voxels_;  // of the grid
+  std::vector<float> curvature_;
   std::vector<std::uint32_t> segment_of_point_;
   std::vector<PointRun> runs_;
   PixelImage image_;  // depths and segments only

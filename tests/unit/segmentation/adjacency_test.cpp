@@ -16,7 +16,7 @@ TEST(AdjacencyFinder, CountsNeighbouringVoxelsAcrossEveryBorder) {
   VoxelGrid grid;
   NeighbourLists neighbours;
   Voxeliser().voxelise(random_points(2000, 0.2F, 7), {.size_m = 0.02F}, grid);
-  find_voxel_neighbours(grid, neighbours);
+  find_voxel_neighbours(grid, Neighbourhood::corners, neighbours);
   std::mt19937 random(8);
   std::vector<std::uint32_t> supervoxel;
   for (std::size_t v = 0; v < grid.size(); ++v)

@@ -55,5 +55,36 @@ TEST(PlaneFit, FallsBackOnTheDirectionToTheSensor) {
   EXPECT_TRUE(fit_normal(at_sensor).isApprox(-Eigen::Vector3f::UnitZ()));
 }
 
+TEST(Equation2_2, IsTheShareOfTheSmallestEigenvalue) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 100; ++i) {
+    Moments moments;
+    for (int k = 0; k < 20; ++k) {
+      moments.add_point(normal(random), 2 * normal(random) + 1, 0.3 * normal(random) + 3);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> oracle(moments.covariance());
+    const double expected = oracle.eigenvalues()[0] / oracle.eigenvalues().sum();
+
+    EXPECT_NEAR(surface_variation(moments), expected, 1e-6);
+  }
+}
+
+TEST(Equation2_2, IsAThirdForACubeAndZeroForAPlaneALineAndASpot) {
+  Moments cube, plane, line, spot;
+  for (int i = 0; i < 8; ++i) {
+    cube.add_point(i % 2, i / 2 % 2, 1 + i / 4);  // NOLINT(bugprone-integer-division)
+    plane.add_point(i % 3, i % 2, 2);
+    line.add_point(i, 2 * i, 3 * i);
+    spot.add_point(1, 1, 1);
+  }
+
+  EXPECT_NEAR(surface_variation(cube), 1.0 / 3, 1e-6);
+  EXPECT_NEAR(surface_variation(plane), 0, 1e-6);
+  EXPECT_NEAR(surface_variation(line), 0, 1e-6);
+  EXPECT_EQ(surface_variation(spot), 0);
+  EXPECT_EQ(surface_variation(Moments{}), 0);
+}
+
 }  // namespace
 }  // namespace cleave::segmentation

@@ -18,7 +18,7 @@ struct Voxels {
 
   Voxels(const PointSet& points, float size_m) {
     Voxeliser().voxelise(points, {.size_m = size_m, .viewpoint = Viewpoint::multiple}, grid);
-    find_voxel_neighbours(grid, neighbours);
+    find_voxel_neighbours(grid, Neighbourhood::corners, neighbours);
     NormalEstimator().estimate(grid.centroid, neighbours, surfels);
   }
 };

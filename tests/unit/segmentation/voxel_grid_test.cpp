@@ -100,14 +100,17 @@ TEST(VoxelGrid, GrowsVoxelsWithTheDistanceForOneViewpoint) {
   EXPECT_EQ(multiple.size(), 4U);
 }
 
-TEST(VoxelNeighbours, AreThoseOfBruteForce) {
+class VoxelNeighbours : public testing::TestWithParam<std::pair<Neighbourhood, int>> {};
+
+TEST_P(VoxelNeighbours, AreThoseOfBruteForce) {
+  const auto [neighbourhood, most_axes] = GetParam();
   const PointSet points = random_points(2000, 0.2F, 4);
   const VoxelOptions options{.size_m = 0.02F, .viewpoint = Viewpoint::multiple};
   VoxelGrid grid;
   Voxeliser().voxelise(points, options, grid);
   NeighbourLists neighbours;
 
-  find_voxel_neighbours(grid, neighbours);
+  find_voxel_neighbours(grid, neighbourhood, neighbours);
 
   std::vector<Cell> cell(grid.size());
   const auto voxel = voxel_of_point(grid);
@@ -118,15 +121,23 @@ TEST(VoxelNeighbours, AreThoseOfBruteForce) {
     std::vector<std::uint32_t> expected;
     for (std::uint32_t u = 0; u < grid.size(); ++u) {
       int distance = 0;
+      int axes = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         distance = std::max(distance, std::abs(cell[u][axis] - cell[v][axis]));
+        axes += cell[u][axis] != cell[v][axis] ? 1 : 0;
       }
-      if (distance == 1) expected.push_back(u);
+      if (distance == 1 && axes <= most_axes) expected.push_back(u);
     }
     EXPECT_TRUE(
         std::equal(expected.begin(), expected.end(), neighbours[v].begin(), neighbours[v].end()));
   }
 }
+
+// Section 2.1.2.1: 6, 18 and 26 neighbours.
+INSTANTIATE_TEST_SUITE_P(FacesEdgesAndCorners, VoxelNeighbours,
+                         testing::Values(std::pair{Neighbourhood::faces, 1},
+                                         std::pair{Neighbourhood::edges, 2},
+                                         std::pair{Neighbourhood::corners, 3}));
 
 }  // namespace
 }  // namespace cleave::segmentation
