@@ -20,12 +20,26 @@ bool is_convex(const Surfel& i, const Surfel& j) {
   return (j.normal - i.normal).dot(j.position - i.position) > 0;
 }
 
-float concave_weight(float cos_angle, float sigma) {
-  return 1 / (1 + sigma * (2 - 2 * cos_angle));
+bool is_convex_after_lai(const Surfel& i, const Surfel& j) {
+  const Eigen::Vector3f d = j.position - i.position;
+  return (d - d.dot(i.normal) * i.normal).dot(j.normal) > 0;
+}
+
+bool is_convex(const Surfel& i, const Surfel& j, Convexity convexity) {
+  return convexity == Convexity::lai ? is_convex_after_lai(i, j) : is_convex(i, j);
+}
+
+float concave_weight(float cos_angle, const GraphOptions& options) {
+  const float squared_difference = 2 - 2 * cos_angle;
+  if (options.weight == WeightFunction::gaussian) {
+    return static_cast<float>(
+        portable::exp(-double{squared_difference} / double{options.weight_sigma}));
+  }
+  return 1 / (1 + options.weight_sigma * squared_difference);
 }
 
 float edge_weight(const Surfel& i, const Surfel& j, const GraphOptions& options) {
-  return is_convex(i, j) ? 1 : concave_weight(cos_angle(i, j), options.weight_sigma);
+  return is_convex(i, j, options.convexity) ? 1 : concave_weight(cos_angle(i, j), options);
 }
 
 float meeting_angle_rad(const Surfel& i, const Surfel& j) {
@@ -49,7 +63,7 @@ bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options) {
 
 float cannot_link_weight(const GraphOptions& options) {
   const auto least_cosine = static_cast<float>(portable::cos(options.cannot_link_rad));
-  return concave_weight(least_cosine, options.weight_sigma);
+  return concave_weight(least_cosine, options);
 }
 
 }  // namespace cleave::segmentation

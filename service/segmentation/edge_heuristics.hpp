@@ -9,8 +9,16 @@ namespace cleave::segmentation {
 // Equation 4.1: do the surfaces bend away from each other?
 [[nodiscard]] bool is_convex(const Surfel& i, const Surfel& j);
 
-// Equation 4.3 for a concave edge, inverse quadratic, with |n_i - n_j|^2 = 2 - 2 cos(angle).
-[[nodiscard]] float concave_weight(float cos_angle, float sigma);
+// Equation 4.2: does the normal of j lean away from i, seen in the plane of i? The same answer as
+// equation 4.1 but for few edges.
+[[nodiscard]] bool is_convex_after_lai(const Surfel& i, const Surfel& j);
+
+// Either, as the options say. Of 4.2, which is not symmetric, callers name the lower vertex first.
+[[nodiscard]] bool is_convex(const Surfel& i, const Surfel& j, Convexity convexity);
+
+// Equation 4.3 for a concave edge, inverse quadratic or Gaussian, with |n_i - n_j|^2 = 2 - 2
+// cos(angle).
+[[nodiscard]] float concave_weight(float cos_angle, const GraphOptions& options);
 
 // Equation 4.3: likelihood of the two patches to belong to one object, 0 to 1.
 [[nodiscard]] float edge_weight(const Surfel& i, const Surfel& j, const GraphOptions& options);

@@ -61,6 +61,10 @@ void visit_options(Options& options, Visitor&& visitor) {
                   "fit supervoxels to points, not to voxels");
 
   auto& graph = options.graph;
+  choice("graph.convexity", graph.convexity, std::array{Names("karpathy"), Names("lai")},
+         "equation 4.1 or 4.2");
+  choice("graph.weight", graph.weight, std::array{Names("inverse-quadratic"), Names("gaussian")},
+         "1/(1 + sigma d) or exp(-d/sigma) of equation 4.3");
   visitor.number("graph.weight_sigma", graph.weight_sigma, 0.001, 1e4, "sigma of equation 4.3");
   visitor.number("graph.validity_max_rad", graph.validity_max_rad, 0, quarter_turn_rad,
                  "largest threshold of equation 4.5, radians");

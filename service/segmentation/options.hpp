@@ -45,8 +45,16 @@ struct SupervoxelOptions {
   bool refit_from_points = true;      // centroid and normal from all points, not from voxels
 };
 
+// How convex edges are told (section 4.1.2.2): after Karpathy et al., equation 4.1, or after Lai et
+// al., 4.2; and how concave ones are weighed (4.3).
+enum class Convexity { karpathy, lai };
+enum class WeightFunction { inverse_quadratic, gaussian };
+
 struct GraphOptions {
-  float weight_sigma = 80;              // eq. 4.3, inverse quadratic
+  Convexity convexity = Convexity::karpathy;
+  WeightFunction weight = WeightFunction::inverse_quadratic;
+  // eq. 4.3: of the inverse quadratic a factor, of the Gaussian a divisor (0.1 is a good one).
+  float weight_sigma = 80;
   float validity_max_rad = 0.9948F;     // eq. 4.5: 57 deg
   float validity_offset_rad = 0.6981F;  // eq. 4.5: 40 deg
   float validity_slope = 17.19F;        // eq. 4.5: 0.3 a degree, here a radian

@@ -18,7 +18,7 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                      .touching_voxels = pair.touching_voxels,
                      .weight = weight,
                      .cosine = i.normal.dot(j.normal),
-                     .convex = is_convex(i, j),
+                     .convex = is_convex(i, j, options.convexity),
                      .valid = is_valid(i, j, options),
                      .cannot_link = weight < least_weight});
   }

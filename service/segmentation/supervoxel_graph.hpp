@@ -15,7 +15,7 @@ struct SupervoxelEdge {
   std::uint32_t touching_voxels = 0;    // length of the border
   float weight = 0;                     // equation 4.3
   float cosine = 1;                     // of the angle between the normals
-  bool convex = false;                  // equation 4.1
+  bool convex = false;                  // equation 4.1 or 4.2
   bool valid = false;                   // equation 4.6; others do not count in the partition
   bool cannot_link = false;             // equation 4.7
 };

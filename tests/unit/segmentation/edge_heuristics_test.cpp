@@ -29,6 +29,48 @@ TEST(Equation4_1, ARoofIsConvexAndAValleyAndAFlatFloorAreNot) {
   EXPECT_FALSE(is_convex(Crease(0, true).left, Crease(0, true).right));
 }
 
+TEST(Equation4_2, ARoofIsConvexAndAValleyAndAFlatFloorAreNot) {
+  EXPECT_TRUE(is_convex_after_lai(Crease(90, true).left, Crease(90, true).right));
+  EXPECT_FALSE(is_convex_after_lai(Crease(90, false).left, Crease(90, false).right));
+  EXPECT_FALSE(is_convex_after_lai(Crease(0, true).left, Crease(0, true).right));
+}
+
+// "In the absolute majority of cases the two heuristics output the same result."
+TEST(Equation4_2, AgreesWithEquation4_1OnCreasesOfEveryAngle) {
+  for (int bend_deg = 2; bend_deg < 90; ++bend_deg) {
+    for (const bool roof : {true, false}) {
+      const Crease crease(static_cast<float>(bend_deg), roof);
+      EXPECT_EQ(is_convex(crease.left, crease.right, Convexity::lai),
+                is_convex(crease.left, crease.right, Convexity::karpathy))
+          << bend_deg;
+    }
+  }
+}
+
+// A patch that stands a step above the other and leans towards it: j is above i's plane, so what
+// counts for Lai is how its normal leans within that plane alone.
+TEST(Equation4_2, LeavesOutTheStepBetweenThePatches) {
+  const Surfel floor{Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ()};
+  const Surfel step{Eigen::Vector3f(1, 0, 2), Eigen::Vector3f(0.6F, 0, 0.8F)};
+
+  EXPECT_TRUE(is_convex_after_lai(floor, step));             // d in the plane is (1, 0, 0)
+  EXPECT_TRUE(is_convex(floor, step, Convexity::karpathy));  // 0.6 - 0.4 > 0
+  const Surfel higher{Eigen::Vector3f(1, 0, 4), step.normal};
+  EXPECT_TRUE(is_convex_after_lai(floor, higher));
+  EXPECT_FALSE(is_convex(floor, higher, Convexity::karpathy));  // 0.6 - 0.8 < 0
+}
+
+TEST(Equation4_3, IsAGaussianIfAskedFor) {
+  const GraphOptions options{
+      .weight = WeightFunction::gaussian, .weight_sigma = 0.5F, .cannot_link_rad = 45 * degree_rad};
+  const Crease valley(90, false);
+
+  EXPECT_NEAR(edge_weight(valley.left, valley.right, options), std::exp(-4.0), 1e-6);
+  EXPECT_LT(edge_weight(valley.left, valley.right, options), cannot_link_weight(options));
+  EXPECT_GT(edge_weight(Crease(44, false).left, Crease(44, false).right, options),
+            cannot_link_weight(options));
+}
+
 TEST(Equation4_3, WeighsConvexEdgesOneAndConcaveOnesByTheirAngle) {
   const GraphOptions options{.weight_sigma = 10};
   const Crease roof(90, true), valley(90, false), floor(0, false);
