@@ -25,8 +25,8 @@ Cut BestCutFinder::find(const SubgraphStore& store, const Subgraph& graph) {
       change_[high].cannot_links -= edge.cannot_links;
     }
 
-    double weight = 0;  // equation 2.8
-    std::int32_t cannot_links = 0;
+    double weight = 0;        // equation 2.8
+    double cannot_links = 0;  // exact: shares are multiples of 1/64
     for (std::uint32_t i = 0; i + 1 < order.size(); ++i) {
       weight += change_[i].weight;
       cannot_links += change_[i].cannot_links;

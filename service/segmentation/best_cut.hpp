@@ -23,7 +23,7 @@ class BestCutFinder final : public CutFinder {
  private:
   struct Change {
     double weight = 0;
-    std::int32_t cannot_links = 0;
+    double cannot_links = 0;
   };
   std::vector<std::uint32_t> rank_;  // of a vertex
   std::vector<Change> change_;       // of the cut, a position

@@ -7,7 +7,9 @@
 namespace cleave::segmentation {
 namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-}
+constexpr double weak_share = 0.6;
+constexpr std::uint32_t pair_factor = 3;
+}  // namespace
 
 void SmallSegmentMerger::list_edges_of_supervoxels(const std::vector<SupervoxelEdge>& edges,
                                                    std::size_t supervoxels) {
@@ -37,9 +39,9 @@ void SmallSegmentMerger::list_members(const std::vector<std::uint32_t>& segment,
   }
 }
 
-std::uint32_t SmallSegmentMerger::closest_neighbour(const std::vector<SupervoxelEdge>& edges,
-                                                    const std::vector<std::uint32_t>& segment,
-                                                    std::uint32_t small) {
+SmallSegmentMerger::Neighbour SmallSegmentMerger::closest_neighbour(
+    const std::vector<SupervoxelEdge>& edges, const std::vector<std::uint32_t>& segment,
+    std::uint32_t small) {
   bonded_.clear();
   for (std::uint32_t s = first_[small]; s != none; s = next_[s]) {
     for (std::uint32_t e = edge_begin_[s]; e < edge_begin_[s + 1]; ++e) {
@@ -49,7 +51,9 @@ std::uint32_t SmallSegmentMerger::closest_neighbour(const std::vector<Supervoxel
       Bond& bond = bond_[other];
       if (bond.touching_voxels == 0) bonded_.push_back(other);
       bond.touching_voxels += edge.touching_voxels;
-      if (edge.valid) bond.weight += edge.weight;
+      if (!edge.valid) continue;
+      bond.weight += edge.weight;
+      if (!edge.is_cannot_link()) bond.linking_voxels += edge.touching_voxels;
     }
   }
   std::uint32_t best = none;
@@ -59,8 +63,19 @@ std::uint32_t SmallSegmentMerger::closest_neighbour(const std::vector<Supervoxel
     };
     if (best == none || closeness(other) > closeness(best)) best = other;
   }
+  const bool weakly_parted =
+      best != none && bond_[best].linking_voxels > weak_share * bond_[best].touching_voxels;
   for (const std::uint32_t other : bonded_) bond_[other] = Bond{};
-  return best;
+  return {best, weakly_parted};
+}
+
+bool SmallSegmentMerger::should_join(std::uint32_t small, const Neighbour& neighbour,
+                                     const CleanUpOptions& options) const {
+  if (neighbour.segment == none) return false;
+  if (points_[small] < options.min_segment_points) return true;
+  if (!neighbour.weakly_parted) return false;
+  return points_[small] < options.weak_border_points ||
+         points_[neighbour.segment] < std::uint64_t{pair_factor} * options.weak_border_points;
 }
 
 void SmallSegmentMerger::join(std::uint32_t small, std::uint32_t into,
@@ -74,8 +89,10 @@ void SmallSegmentMerger::join(std::uint32_t small, std::uint32_t into,
 
 void SmallSegmentMerger::merge(const std::vector<SupervoxelEdge>& edges,
                                const std::vector<std::uint32_t>& points_of_supervoxel,
-                               std::uint32_t segments, std::uint32_t min_points,
+                               std::uint32_t segments, const CleanUpOptions& options,
                                std::vector<std::uint32_t>& segment) {
+  const std::uint64_t may_join = std::max<std::uint64_t>(
+      options.min_segment_points, std::uint64_t{pair_factor} * options.weak_border_points);
   list_edges_of_supervoxels(edges, segment.size());
   list_members(segment, segments);
   bond_.assign(segments, Bond{});
@@ -84,7 +101,7 @@ void SmallSegmentMerger::merge(const std::vector<SupervoxelEdge>& edges,
 
   heap_.clear();
   const auto push_if_small = [&](std::uint32_t s) {
-    if (points_[s] >= min_points) return;
+    if (points_[s] >= may_join) return;
     heap_.emplace_back(points_[s], s);
     std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
   };
@@ -95,10 +112,10 @@ void SmallSegmentMerger::merge(const std::vector<SupervoxelEdge>& edges,
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     heap_.pop_back();
     if (points_[small] != size) continue;  // it has grown, or joined another, since it was pushed
-    const std::uint32_t into = closest_neighbour(edges, segment, small);
-    if (into == none) continue;
-    join(small, into, segment);
-    push_if_small(into);
+    const Neighbour neighbour = closest_neighbour(edges, segment, small);
+    if (!should_join(small, neighbour, options)) continue;
+    join(small, neighbour.segment, segment);
+    push_if_small(neighbour.segment);
   }
 }
 

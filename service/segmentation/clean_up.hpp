@@ -5,33 +5,45 @@
 #include <utility>
 #include <vector>
 
+#include "segmentation/options.hpp"
 #include "segmentation/supervoxel_graph.hpp"
 
 namespace cleave::segmentation {
 
-// Smallest first, every segment with fewer points than asked for joins the neighbour to which it
+// Smallest first, every segment with fewer than min_segment_points joins the neighbour to which it
 // has the largest summed weight of valid edges; one without a valid edge, the neighbour with the
-// longest border; one without a neighbour stays. Ties go to the lower number.
+// longest border; one without a neighbour stays. Ties go to the lower number. Larger ones join that
+// neighbour if the border is weak, which it is if at least 60 percent of it are neither invalid nor
+// cannot-link, and
+// - the segment has fewer than weak_border_points, or
+// - both have fewer than three times as many.
 class SmallSegmentMerger {
  public:
   // `segment`, of a supervoxel, is changed in place; numbers of segments that joined are not used
   // any more.
   void merge(const std::vector<SupervoxelEdge>& edges,
              const std::vector<std::uint32_t>& points_of_supervoxel, std::uint32_t segments,
-             std::uint32_t min_points, std::vector<std::uint32_t>& segment);
+             const CleanUpOptions& options, std::vector<std::uint32_t>& segment);
 
  private:
   struct Bond {
     double weight = 0;
     std::uint32_t touching_voxels = 0;
+    std::uint32_t linking_voxels = 0;  // of edges that are valid and not cannot-link
+  };
+  struct Neighbour {
+    std::uint32_t segment;
+    bool weakly_parted;
   };
   using SizeAndSegment = std::pair<std::uint32_t, std::uint32_t>;
 
   void list_edges_of_supervoxels(const std::vector<SupervoxelEdge>& edges, std::size_t supervoxels);
   void list_members(const std::vector<std::uint32_t>& segment, std::uint32_t segments);
-  [[nodiscard]] std::uint32_t closest_neighbour(const std::vector<SupervoxelEdge>& edges,
-                                                const std::vector<std::uint32_t>& segment,
-                                                std::uint32_t small);
+  [[nodiscard]] Neighbour closest_neighbour(const std::vector<SupervoxelEdge>& edges,
+                                            const std::vector<std::uint32_t>& segment,
+                                            std::uint32_t small);
+  [[nodiscard]] bool should_join(std::uint32_t small, const Neighbour& neighbour,
+                                 const CleanUpOptions& options) const;
   void join(std::uint32_t small, std::uint32_t into, std::vector<std::uint32_t>& segment);
 
   std::vector<std::uint32_t> edge_begin_, edge_of_;  // rows of supervoxels

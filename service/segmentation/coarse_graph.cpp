@@ -12,7 +12,7 @@ constexpr float min_cosine = 0.98481F;  // 10 deg
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool is_smooth(const SupervoxelEdge& edge) {
-  return edge.valid && !edge.cannot_link && edge.cosine > min_cosine;
+  return edge.valid && !edge.is_cannot_link() && edge.cosine > min_cosine;
 }
 
 }  // namespace
@@ -68,9 +68,10 @@ void GraphCoarsener::add_up_edges(const std::vector<SupervoxelEdge>& edges,
   }
   for (std::size_t i = 0; i < between_.size(); ++i) {
     CutEdge& sum = edges_[ranking_.rank_of_item()[i]];
-    sum.weight += edges[between_[i]].weight;
-    sum.cannot_links += edges[between_[i]].cannot_link ? 1 : 0;
-    sum.cannot_link_weight += edges[between_[i]].cannot_link ? edges[between_[i]].weight : 0;
+    const SupervoxelEdge& edge = edges[between_[i]];
+    sum.weight += edge.weight;
+    sum.cannot_links += edge.cannot_link_share;
+    sum.cannot_link_weight += edge.cannot_link_share * edge.weight;
   }
 }
 

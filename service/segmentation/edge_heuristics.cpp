@@ -61,6 +61,26 @@ bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options) {
   return meeting_angle_rad(i, j) > least_meeting_angle_rad(beta_rad, options);
 }
 
+float step_m(const Surfel& i, const Surfel& j) {
+  return std::abs((i.normal + j.normal).dot(j.position - i.position)) / 2;
+}
+
+bool is_step(const Surfel& i, const Surfel& j, const GraphOptions& options) {
+  if (!(options.max_step_m > 0)) return false;
+  const float depth_m = (i.position.z() + j.position.z()) / 2;
+  const float sine_of_half_angle = std::sqrt((1 - cos_angle(i, j)) / 2);
+  const float by_crease_m = sine_of_half_angle * (j.position - i.position).norm() / 2;
+  return step_m(i, j) > options.max_step_m * depth_m * depth_m + by_crease_m;
+}
+
+float cannot_link_share(float beta_rad, const GraphOptions& options) {
+  constexpr float steps = 64;
+  const float range_rad = options.cannot_link_rad - options.soft_cannot_link_rad;
+  if (!(range_rad > 0)) return 0;
+  const float share = std::clamp((beta_rad - options.soft_cannot_link_rad) / range_rad, 0.0F, 1.0F);
+  return std::floor(share * steps) / steps;
+}
+
 float cannot_link_weight(const GraphOptions& options) {
   const auto least_cosine = static_cast<float>(portable::cos(options.cannot_link_rad));
   return concave_weight(least_cosine, options);

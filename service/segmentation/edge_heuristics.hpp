@@ -33,6 +33,19 @@ namespace cleave::segmentation {
 // Equation 4.6: false where two surfaces only happen to touch in a point.
 [[nodiscard]] bool is_valid(const Surfel& i, const Surfel& j, const GraphOptions& options);
 
+// How far a patch's centroid is off the other's plane, the mean of both ways: 0 for patches of one
+// plane, and of one ball or cylinder of the same size; metres.
+[[nodiscard]] float step_m(const Surfel& i, const Surfel& j);
+
+// Is the step more than noise and more than what a crease explains? Centroids of two faces are off
+// the mean plane where one is nearer to their crease: here, at most by half of their distance.
+[[nodiscard]] bool is_step(const Surfel& i, const Surfel& j, const GraphOptions& options);
+
+// Soft constraints (the thesis's future work): how much of a cannot-link edge a concave edge is
+// whose normals differ by `beta_rad`, below the threshold of equation 4.7; 0 to 1, in steps of 1/64
+// so that sums of shares are exact.
+[[nodiscard]] float cannot_link_share(float beta_rad, const GraphOptions& options);
+
 // The threshold of equation 4.7, given as the angle of a concave edge: below it an edge is
 // cannot-link.
 [[nodiscard]] float cannot_link_weight(const GraphOptions& options);

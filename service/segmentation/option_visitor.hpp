@@ -74,6 +74,10 @@ void visit_options(Options& options, Visitor&& visitor) {
                  "a of equation 4.5, per radian");
   visitor.number("graph.cannot_link_rad", graph.cannot_link_rad, 0, 2 * quarter_turn_rad,
                  "concave angle from which an edge is cannot-link (equation 4.7), radians");
+  visitor.number("graph.soft_cannot_link_rad", graph.soft_cannot_link_rad, 0, 2 * quarter_turn_rad,
+                 "concave angle from which an edge is cannot-link in part, radians");
+  visitor.number("graph.max_step_m", graph.max_step_m, 0, 1,
+                 "largest step of one surface at 1 m distance, metres; 0: no limit");
 
   visitor.integer("partition.eigenvectors", options.partition.eigenvectors, 1, 100,
                   "k of algorithm 1");
@@ -103,8 +107,13 @@ void visit_options(Options& options, Visitor&& visitor) {
   visitor.number("convex_components.tolerance_rad", options.convex_components.tolerance_rad, 0,
                  2 * quarter_turn_rad, "concave angle up to which an edge connects, radians");
 
-  visitor.integer("clean_up.min_segment_points", options.clean_up.min_segment_points, 0, 1000000,
+  auto& clean_up = options.clean_up;
+  visitor.boolean("clean_up.join_across_borders", clean_up.join_across_borders,
+                  "join neighbours whose common border gives no reason to part them");
+  visitor.integer("clean_up.min_segment_points", clean_up.min_segment_points, 0, 1000000,
                   "smaller segments join a neighbour; 0: off");
+  visitor.integer("clean_up.weak_border_points", clean_up.weak_border_points, 0, 1000000,
+                  "smaller segments join a neighbour across a weak border; 0: off");
 
   auto& refine = options.refine;
   visitor.boolean("refine.boundary", refine.boundary, "refine borders point by point");

@@ -16,9 +16,13 @@ Options thesis() {
   options.graph.weight_sigma = 10;
   options.graph.validity_offset_rad = 33 * degree_rad;
   options.graph.cannot_link_rad = 45 * degree_rad;
+  options.graph.soft_cannot_link_rad = 45 * degree_rad;
+  options.graph.max_step_m = 0;
   options.partition.utility_threshold = 1;
   options.partition.coarsening_rounds = 0;
+  options.clean_up.join_across_borders = false;
   options.clean_up.min_segment_points = 0;
+  options.clean_up.weak_border_points = 0;
   options.refine.boundary = false;
   options.refine.mode_filter_radius = 0;
   return options;

@@ -25,15 +25,17 @@ void BorderDescriber::describe(const std::vector<SupervoxelEdge>& edges,
   for (std::size_t i = 0; i < between_segments_.size(); ++i) {
     Length& length = lengths_[ranking_.rank_of_item()[i]];
     const SupervoxelEdge& edge = *between_segments_[i];
-    (edge.convex ? length.convex : length.concave) += edge.touching_voxels;
+    std::uint64_t& sum = edge.valid
+                             ? (edge.convex ? length.convex : length.concave)
+                             : (edge.convex ? length.invalid_convex : length.invalid_concave);
+    sum += edge.touching_voxels;
   }
 
   borders.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const bool convex = lengths_[p].convex > lengths_[p].concave;
     borders.push_back({.first = static_cast<std::uint16_t>(pairs[p] >> 16),
                        .second = static_cast<std::uint16_t>(pairs[p] & 0xFFFF),
-                       .kind = convex ? BorderKind::convex : BorderKind::concave});
+                       .kind = lengths_[p].is_convex() ? BorderKind::convex : BorderKind::concave});
   }
 }
 

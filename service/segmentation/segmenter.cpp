@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "segmentation/border_joining.hpp"
 #include "segmentation/canonical_labels.hpp"
 #include "segmentation/cell_path.hpp"
 #include "segmentation/clean_up.hpp"
@@ -21,6 +22,7 @@ struct Segmenter::Workspace {
   VoxelPath voxel_path;
   CellPath cell_path;
   GraphPartitioner partitioner;
+  BorderJoiner joiner;
   SmallSegmentMerger merger;
   LabelOrder label_order;
   ShapeDescriber shape_describer;
@@ -29,6 +31,7 @@ struct Segmenter::Workspace {
   bool on_cells = false;  // or else on voxels
   Supervoxels supervoxels;
   std::vector<AdjacentPair> adjacent_pairs;
+  GraphOptions graph_options;  // for this frame
   std::vector<SupervoxelEdge> edges;
   std::uint32_t segments = 0;
   std::vector<std::uint32_t> segment_of_supervoxel;
@@ -39,6 +42,7 @@ struct Segmenter::Workspace {
   void estimate_normals();
   void cluster_supervoxels(const Options& options);
   void build_graph(const Options& options);
+  void clean_up(const Options& options);
   void label_points(const CloudView& cloud, const RefineOptions& options,
                     std::span<std::uint16_t> labels);
   void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
@@ -78,7 +82,24 @@ void Segmenter::Workspace::build_graph(const Options& options) {
   }
   on_cells ? cell_path.find_adjacent_pairs(supervoxels, adjacent_pairs)
            : voxel_path.find_adjacent_pairs(supervoxels, adjacent_pairs);
-  build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, options.graph, edges);
+  graph_options = options.graph;
+  // What a step in depth means is known for a sensor in the origin only.
+  if (!on_cells && !voxel_path.seen_from_one_viewpoint()) graph_options.max_step_m = 0;
+  build_supervoxel_graph(adjacent_pairs, supervoxels.surfel, graph_options, edges);
+}
+
+// What follows a spectral partition. Voxels and convex components are other methods: they get what
+// the thesis gives them, and slivers are merged.
+void Segmenter::Workspace::clean_up(const Options& options) {
+  CleanUpOptions clean_up = options.clean_up;
+  if (options.algorithm == Algorithm::svc || options.algorithm == Algorithm::convex_components) {
+    clean_up.join_across_borders = false;
+    clean_up.weak_border_points = 0;
+  }
+  if (clean_up.join_across_borders) {
+    joiner.join(edges, supervoxels.surfel, graph_options, segments, segment_of_supervoxel);
+  }
+  merger.merge(edges, supervoxels.point_count, segments, clean_up, segment_of_supervoxel);
 }
 
 void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
@@ -143,8 +164,7 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
                                        options_, w.segment_of_supervoxel);
   ended(Stage::partition);
 
-  w.merger.merge(w.edges, w.supervoxels.point_count, w.segments,
-                 options_.clean_up.min_segment_points, w.segment_of_supervoxel);
+  w.clean_up(options_);
   ended(Stage::clean_up);
 
   w.label_points(cloud, options_.refine, labels);

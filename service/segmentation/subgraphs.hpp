@@ -11,8 +11,8 @@ namespace cleave::segmentation {
 struct CutEdge {
   std::uint32_t first = 0, second = 0;
   float weight = 0;
-  std::int32_t cannot_links = 0;  // how many edges of equation 4.7 it stands for
-  float cannot_link_weight = 0;   // what those are of the weight
+  float cannot_links = 0;        // how many edges of equation 4.7 it stands for, soft ones in part
+  float cannot_link_weight = 0;  // what those are of the weight
 };
 
 // Valid for the SubgraphStore it is from, until that subgraph is split.

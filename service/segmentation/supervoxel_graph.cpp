@@ -1,6 +1,9 @@
 #include "segmentation/supervoxel_graph.hpp"
 
+#include <algorithm>
+
 #include "segmentation/edge_heuristics.hpp"
+#include "segmentation/portable_math.hpp"
 
 namespace cleave::segmentation {
 
@@ -12,15 +15,21 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
   for (const AdjacentPair& pair : pairs) {
     const Surfel& i = supervoxels[pair.first];
     const Surfel& j = supervoxels[pair.second];
-    const float weight = edge_weight(i, j, options);
-    edges.push_back({.first = pair.first,
-                     .second = pair.second,
-                     .touching_voxels = pair.touching_voxels,
-                     .weight = weight,
-                     .cosine = i.normal.dot(j.normal),
-                     .convex = is_convex(i, j, options.convexity),
-                     .valid = is_valid(i, j, options),
-                     .cannot_link = weight < least_weight});
+    SupervoxelEdge edge = {.first = pair.first,
+                           .second = pair.second,
+                           .touching_voxels = pair.touching_voxels,
+                           .weight = edge_weight(i, j, options),
+                           .cosine = i.normal.dot(j.normal),
+                           .convex = is_convex(i, j, options.convexity),
+                           .valid = is_valid(i, j, options) && !is_step(i, j, options)};
+    if (edge.weight < least_weight) {
+      edge.cannot_link_share = 1;
+    } else if (!edge.convex) {
+      const auto beta_rad =
+          static_cast<float>(portable::acos(std::clamp(edge.cosine, -1.0F, 1.0F)));
+      edge.cannot_link_share = cannot_link_share(beta_rad, options);
+    }
+    edges.push_back(edge);
   }
 }
 

@@ -17,7 +17,9 @@ struct SupervoxelEdge {
   float cosine = 1;                     // of the angle between the normals
   bool convex = false;                  // equation 4.1 or 4.2
   bool valid = false;                   // equation 4.6; others do not count in the partition
-  bool cannot_link = false;             // equation 4.7
+  float cannot_link_share = 0;          // 1: cannot-link (equation 4.7); less: a soft constraint
+
+  [[nodiscard]] bool is_cannot_link() const { return cannot_link_share >= 1; }
 };
 
 // One edge an adjacent pair, in the pairs' order.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "segmentation/adjacency.hpp"
+#include "segmentation/border_joining.hpp"
 #include "segmentation/clean_up.hpp"
 #include "segmentation/graph_partition.hpp"
 #include "segmentation/options.hpp"
@@ -32,6 +33,7 @@ class SupervoxelPartitioner {
 
  private:
   GraphPartitioner partitioner_;
+  BorderJoiner joiner_;
   SmallSegmentMerger merger_;
   std::vector<SupervoxelEdge> edges_;
 };

@@ -37,7 +37,8 @@ void accumulate_moments(const PointSet& points, VoxelGrid& grid) {
 
 }  // namespace
 
-void Voxeliser::find_cells(const PointSet& points, const VoxelOptions& options) {
+void Voxeliser::find_cells(const PointSet& points, const VoxelOptions& options,
+                           bool one_viewpoint) {
   const std::size_t n = points.size();
   for (auto& axis : cell_) axis.resize(n);
   const float per_cell = 1 / options.size_m;
@@ -45,7 +46,7 @@ void Voxeliser::find_cells(const PointSet& points, const VoxelOptions& options) 
   const float shift_y = options.grid_offset * offset_share[1];
   const float shift_z = options.grid_offset * offset_share[2];
 
-  if (seen_from_one_viewpoint(points, options.viewpoint)) {
+  if (one_viewpoint) {
     for (std::size_t i = 0; i < n; ++i) {
       const float depth = std::max(points.z[i], min_depth_m);
       cell_[0][i] = cell_of(points.x[i] / depth * per_cell + shift_x);
@@ -78,7 +79,8 @@ void Voxeliser::find_runs(VoxelGrid& grid) {
 }
 
 void Voxeliser::voxelise(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid) {
-  find_cells(points, options);
+  grid.one_viewpoint = seen_from_one_viewpoint(points, options.viewpoint);
+  find_cells(points, options, grid.one_viewpoint);
   find_runs(grid);
 
   const auto& [x, y, z] = cell_;

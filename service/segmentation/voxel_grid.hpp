@@ -22,6 +22,7 @@ struct VoxelGrid {
   // Points that follow each other in the cloud often share a voxel: those are one run.
   std::vector<std::uint32_t> run_begin;  // runs + 1; indices of points
   std::vector<std::uint32_t> run_voxel;  // runs
+  bool one_viewpoint = true;             // or several
 
   [[nodiscard]] std::size_t size() const { return key.size(); }
   [[nodiscard]] std::size_t runs() const { return run_voxel.size(); }
@@ -33,7 +34,7 @@ class Voxeliser {
   void voxelise(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid);
 
  private:
-  void find_cells(const PointSet& points, const VoxelOptions& options);
+  void find_cells(const PointSet& points, const VoxelOptions& options, bool one_viewpoint);
   void find_runs(VoxelGrid& grid);
 
   std::array<std::vector<std::int32_t>, 3> cell_;  // a point; after find_runs, a run

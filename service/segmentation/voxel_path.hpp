@@ -25,6 +25,7 @@ class VoxelPath {
  public:
   // False if no point is finite.
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
+  [[nodiscard]] bool seen_from_one_viewpoint() const { return grid_.one_viewpoint; }
   void estimate_normals();
   void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
   // For Spectral Voxel Clustering, instead of cluster() and a graph of supervoxels: each voxel is

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -10,12 +11,16 @@ namespace {
 
 std::vector<CutEdge> random_edges(std::uint32_t vertices, std::mt19937& random) {
   std::uniform_real_distribution<float> weight(0.05F, 1);
+  // One in five counts, in part.
+  const auto share = [](std::mt19937& r) {
+    return std::max(static_cast<float>(r() % 320) / 64 - 4, 0.0F);
+  };
   std::vector<CutEdge> edges;
   for (std::uint32_t v = 1; v < vertices; ++v) {
-    edges.push_back({v - 1, v, weight(random), random() % 5 == 0});
+    edges.push_back({v - 1, v, weight(random), share(random)});
     if (v > 4)
       edges.push_back(
-          {v, static_cast<std::uint32_t>(random() % (v - 1)), weight(random), random() % 5 == 0});
+          {v, static_cast<std::uint32_t>(random() % (v - 1)), weight(random), share(random)});
   }
   return edges;
 }
@@ -23,7 +28,7 @@ std::vector<CutEdge> random_edges(std::uint32_t vertices, std::mt19937& random) 
 // Equation 4.8, summed up anew.
 double utility(std::span<const CutEdge> edges, const std::set<std::uint32_t>& side) {
   double weight = 0;
-  int cannot_links = 0;
+  double cannot_links = 0;
   for (const CutEdge& edge : edges) {
     if (side.contains(edge.first) == side.contains(edge.second)) continue;
     weight += edge.weight;

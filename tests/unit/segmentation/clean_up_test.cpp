@@ -18,7 +18,8 @@ std::vector<std::uint32_t> merge(const std::vector<SupervoxelEdge>& edges,
                                  const std::vector<std::uint32_t>& points, std::uint32_t min_points,
                                  std::vector<std::uint32_t> segment) {
   const auto segments = static_cast<std::uint32_t>(segment.size());
-  SmallSegmentMerger().merge(edges, points, segments, min_points, segment);
+  const CleanUpOptions options{.min_segment_points = min_points, .weak_border_points = 0};
+  SmallSegmentMerger().merge(edges, points, segments, options, segment);
   return segment;
 }
 
@@ -50,6 +51,35 @@ TEST(SmallSegmentMerger, LeavesAnIslandAndWhatIsLargeEnoughAlone) {
 
 TEST(SmallSegmentMerger, IsSwitchedOffByZero) {
   EXPECT_EQ(merge({edge(0, 1, 1)}, {1, 1}, 0, {0, 1}), (Segments{0, 1}));
+}
+
+TEST(SmallSegmentMerger, JoinsSegmentsOfSomeSizeAcrossWeakBordersOnly) {
+  const CleanUpOptions options{.min_segment_points = 200, .weak_border_points = 500};
+  const auto merged = [&options](float share, std::uint32_t small, std::uint32_t large) {
+    SupervoxelEdge border = edge(0, 1, 0.1F);
+    border.cannot_link_share = share;
+    Segments segment = {0, 1};
+    SmallSegmentMerger().merge({border}, {small, large}, 2, options, segment);
+    return segment[0] == segment[1];
+  };
+
+  EXPECT_TRUE(merged(0.9F, 400, 100000)) << "a part of a cannot-link edge is weak";
+  EXPECT_FALSE(merged(1, 400, 100000));
+  EXPECT_FALSE(merged(0.9F, 600, 100000)) << "a body of its own";
+  EXPECT_TRUE(merged(0.9F, 600, 1400)) << "two small neighbours";
+  EXPECT_TRUE(merged(1, 100, 100000)) << "a sliver";
+}
+
+TEST(SmallSegmentMerger, CallsABorderWeakByItsLength) {
+  const CleanUpOptions options{.min_segment_points = 0, .weak_border_points = 500};
+  SupervoxelEdge strong = edge(0, 2, 0.1F, true, 6);
+  strong.cannot_link_share = 1;
+  const SupervoxelEdge weak = edge(1, 2, 0.1F, true, 5);
+  Segments segment = {0, 0, 1};
+
+  SmallSegmentMerger().merge({strong, weak}, {50000, 50000, 300}, 2, options, segment);
+
+  EXPECT_EQ(segment, (Segments{0, 0, 1})) << "5 of 11 links are less than 60 percent";
 }
 
 }  // namespace

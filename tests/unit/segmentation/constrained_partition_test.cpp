@@ -18,7 +18,7 @@ std::vector<SupervoxelEdge> sheets(std::uint32_t count, std::uint32_t side,
                      .weight = crease ? 0.05F : 1,
                      .cosine = crease ? 0.0F : 1.0F,
                      .valid = true,
-                     .cannot_link = crease});
+                     .cannot_link_share = crease ? 1.0F : 0.0F});
   };
   for (std::uint32_t row = 0; row < rows * side; ++row) {
     for (std::uint32_t column = 0; column < width; ++column) {

@@ -131,5 +131,52 @@ TEST(Equation4_7, ForbidsToLinkAcrossConcaveEdgesAboveTheThreshold) {
   EXPECT_FALSE(cannot_link(Crease(120, true)));
 }
 
+TEST(Step, IsTheDistanceBetweenParallelPlanes) {
+  Crease floor(0, false);
+  floor.right.position.z() = 0.25F;
+
+  EXPECT_FLOAT_EQ(step_m(floor.left, floor.right), 0.25F);
+}
+
+TEST(Step, IsNothingForPatchesOfOneBallOrTwoFacesAsFarFromTheirCrease) {
+  EXPECT_NEAR(step_m(Crease(40, true).left, Crease(40, true).right), 0, 1e-6);
+  EXPECT_NEAR(step_m(Crease(90, false).left, Crease(90, false).right), 0, 1e-6);
+}
+
+TEST(Step, CountsFromALimitThatGrowsAsTheNoiseDoes) {
+  const GraphOptions options{.max_step_m = 0.005F};
+  const auto steps = [&options](float depth_m, float step) {
+    const Surfel near{{0, 0, depth_m}, {0, 0, -1}};
+    const Surfel far{{0.025F, 0, depth_m + step}, {0, 0, -1}};
+    return is_step(near, far, options);
+  };
+
+  EXPECT_FALSE(steps(1, 0.004F));
+  EXPECT_TRUE(steps(1, 0.006F));
+  EXPECT_FALSE(steps(2, 0.018F));
+  EXPECT_TRUE(steps(2, 0.022F));
+}
+
+TEST(Step, IsNoneWhereACreaseExplainsIt) {
+  const GraphOptions options{.max_step_m = 0.001F};
+  // A roof of 90 degrees at 1 m; one centroid is 10 mm from the ridge, the other 18 mm.
+  const float root_half = std::sqrt(0.5F);
+  const Surfel left{{-0.010F * root_half, 0, 1 + 0.010F * root_half}, {-root_half, 0, -root_half}};
+  const Surfel right{{0.018F * root_half, 0, 1 + 0.018F * root_half}, {root_half, 0, -root_half}};
+
+  EXPECT_NEAR(step_m(left, right), 0.004F * root_half * 2 / std::sqrt(2.0F), 1e-5);
+  EXPECT_FALSE(is_step(left, right, options));
+  EXPECT_FALSE(is_step(left, right, {.max_step_m = 0})) << "0 switches steps off";
+}
+
+TEST(SoftConstraint, GrowsFromNothingToACannotLinkEdge) {
+  const GraphOptions options{.cannot_link_rad = 0.75F, .soft_cannot_link_rad = 0.25F};
+
+  EXPECT_EQ(cannot_link_share(0.2F, options), 0);
+  EXPECT_EQ(cannot_link_share(0.5F, options), 0.5F);
+  EXPECT_EQ(cannot_link_share(0.7F, options), std::floor(0.9F * 64) / 64);
+  EXPECT_EQ(cannot_link_share(0.5F, {.cannot_link_rad = 0.7F, .soft_cannot_link_rad = 0.7F}), 0);
+}
+
 }  // namespace
 }  // namespace cleave::segmentation

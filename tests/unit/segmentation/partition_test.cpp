@@ -19,7 +19,7 @@ std::vector<SupervoxelEdge> sheets(std::uint32_t count, std::uint32_t side) {
                          .touching_voxels = 1,
                          .weight = crease ? 0.05F : 1,
                          .valid = true,
-                         .cannot_link = crease});
+                         .cannot_link_share = crease ? 1.0F : 0.0F});
       }
       if (row + 1 < side) {
         edges.push_back(
@@ -46,7 +46,7 @@ TEST(Partitioner, CutsSheetsApartAtTheirCreases) {
 
 TEST(Partitioner, LeavesAGraphWithoutCannotLinkEdgesWhole) {
   auto edges = sheets(3, 4);
-  for (auto& edge : edges) edge.cannot_link = false;
+  for (auto& edge : edges) edge.cannot_link_share = 0;
   std::vector<std::uint32_t> segment;
 
   EXPECT_EQ(Partitioner().partition(48, edges, {}, segment), 1U);
@@ -54,7 +54,7 @@ TEST(Partitioner, LeavesAGraphWithoutCannotLinkEdgesWhole) {
 
 TEST(Partitioner, DoesNotConnectThroughInvalidEdges) {
   auto edges = sheets(3, 4);
-  for (auto& edge : edges) edge.valid = !edge.cannot_link;
+  for (auto& edge : edges) edge.valid = !edge.is_cannot_link();
   std::vector<std::uint32_t> segment;
 
   EXPECT_EQ(Partitioner().partition(48, edges, {}, segment), 3U);

@@ -44,7 +44,9 @@ TEST(SupervoxelPartitioner, JoinsSliversToTheirNeighbours) {
   s.point_count.assign(s.point_count.size(), 5);  // the wall: 180 points
   std::vector<std::uint32_t> segment;
 
-  (void)SupervoxelPartitioner().partition(s, {}, segment);
+  Options options;
+  options.clean_up.min_segment_points = 200;
+  (void)SupervoxelPartitioner().partition(s, options, segment);
 
   EXPECT_EQ(segment, std::vector<std::uint32_t>(segment.size(), segment[0]));
 }
