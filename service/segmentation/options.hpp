@@ -95,7 +95,7 @@ struct ConvexComponentsOptions {
 struct CleanUpOptions {
   // Neighbours whose common border gives no reason to part them join: see BorderJoiner.
   bool join_across_borders = true;
-  std::uint32_t min_segment_points = 180;  // smaller segments join a neighbour; 0 = off
+  std::uint32_t min_segment_points = 170;  // smaller segments join a neighbour; 0 = off
   // Smaller segments, and pairs of which both have fewer than three times as many points, join
   // across a weak border: one that is cannot-link along little of its length; 0 = off.
   std::uint32_t weak_border_points = 500;

@@ -29,10 +29,10 @@ std::span<const CutEdge> SubgraphStore::edges(const Subgraph& graph) const {
   return {edge_.data() + graph.edge_begin, edge_.data() + graph.edge_end};
 }
 
-bool SubgraphStore::has_cannot_link(const Subgraph& graph) const {
-  const auto range = edges(graph);
-  return std::any_of(range.begin(), range.end(),
-                     [](const CutEdge& e) { return e.cannot_links > 0; });
+double SubgraphStore::cannot_links(const Subgraph& graph) const {
+  double sum = 0;
+  for (const CutEdge& edge : edges(graph)) sum += edge.cannot_links;
+  return sum;
 }
 
 std::span<const std::uint32_t> SubgraphStore::order(std::size_t k, const Subgraph& graph) const {

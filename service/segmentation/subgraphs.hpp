@@ -30,7 +30,8 @@ class SubgraphStore {
 
   [[nodiscard]] std::span<const std::uint32_t> vertices(const Subgraph& graph) const;
   [[nodiscard]] std::span<const CutEdge> edges(const Subgraph& graph) const;
-  [[nodiscard]] bool has_cannot_link(const Subgraph& graph) const;
+  // The sum over its edges.
+  [[nodiscard]] double cannot_links(const Subgraph& graph) const;
 
   // Sorts the subgraph's vertices along each column of `vectors`, ties by vertex; row i belongs to
   // vertices(graph)[i]. Parts that it is split into inherit the orders.

@@ -99,7 +99,7 @@ TEST(SubgraphStore, SplitsIntoConnectedPartsThatInheritTheirOrders) {
   EXPECT_EQ(as_vector(store.order(0, parts[0])), (std::vector<std::uint32_t>{1, 0}));
   EXPECT_EQ(as_vector(store.vertices(parts[2])), (std::vector<std::uint32_t>{3, 4}));
   EXPECT_EQ(store.edges(parts[2]).size(), 1U);
-  EXPECT_FALSE(store.has_cannot_link(parts[2]));
+  EXPECT_EQ(store.cannot_links(parts[2]), 0);
 }
 
 }  // namespace
