@@ -20,8 +20,14 @@ class BestCutFinder final : public CutFinder {
   // the order meets its first end and taken out where it meets the second, so one pass over the
   // edges and one over the vertices judge all cuts of an eigenvector.
   [[nodiscard]] Cut find(const SubgraphStore& store, const Subgraph& graph) override;
+  // The same along one order, a single eigenvector.
+  [[nodiscard]] Cut find_along(std::size_t order, const SubgraphStore& store,
+                               const Subgraph& graph);
 
  private:
+  void improve_along(std::size_t order, const SubgraphStore& store, const Subgraph& graph,
+                     Cut& best);
+
   struct Change {
     double weight = 0;
     double cannot_links = 0;
