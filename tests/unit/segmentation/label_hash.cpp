@@ -9,9 +9,22 @@
 int main() {
   using namespace cleave::segmentation;
   constexpr std::uint64_t prime = 1099511628211;
-  for (const Representation representation : {Representation::cells, Representation::voxels}) {
+  const auto with = [](Representation representation, Algorithm algorithm) {
     Options options;
     options.representation = representation;
+    options.algorithm = algorithm;
+    return options;
+  };
+  Options others = with(Representation::voxels, Algorithm::ssc);
+  others.graph.weight = WeightFunction::gaussian;
+  others.graph.weight_sigma = 0.1F;
+  others.graph.convexity = Convexity::lai;
+  others.partition.laplacian = Laplacian::random_walk;
+  for (const Options& options :
+       {with(Representation::cells, Algorithm::ssc), with(Representation::voxels, Algorithm::ssc),
+        with(Representation::cells, Algorithm::constrained_ssc),
+        with(Representation::cells, Algorithm::convex_components),
+        with(Representation::voxels, Algorithm::svc), others}) {
     Segmenter segmenter(options);
     std::uint64_t hash = 14695981039346656037U;  // FNV-1a
     for (unsigned seed = 0; seed < 12; ++seed) {

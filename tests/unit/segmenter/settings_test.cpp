@@ -48,12 +48,14 @@ TEST_F(SegmenterSettings, HoldTheDefaultsForAnEmptyMapping) {
 TEST_F(SegmenterSettings, TakeOptionsOfEveryKindFromTheSectionSegmentation) {
   const DaemonSettings settings = settings_of(
       "segmentation:\n"
-      "  algorithm: ssc\n"
-      "  voxel: {size_m: 0.01, viewpoint: single}\n"
+      "  algorithm: constrained-ssc\n"
+      "  voxel: {size_m: 0.01, viewpoint: single, neighbourhood: 18}\n"
       "  supervoxel: {sweeps: 3}\n"
       "  refine: {boundary: false}\n");
 
+  EXPECT_EQ(settings.segmentation.algorithm, segmentation::Algorithm::constrained_ssc);
   EXPECT_FLOAT_EQ(settings.segmentation.voxel.size_m, 0.01F);
+  EXPECT_EQ(settings.segmentation.voxel.neighbourhood, segmentation::Neighbourhood::edges);
   EXPECT_EQ(settings.segmentation.voxel.viewpoint, segmentation::Viewpoint::single);
   EXPECT_EQ(settings.segmentation.supervoxel.sweeps, 3U);
   EXPECT_FALSE(settings.segmentation.refine.boundary);
