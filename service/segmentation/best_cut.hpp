@@ -10,11 +10,11 @@
 namespace cleave::segmentation {
 
 // Utility is that of equation 4.8: 0 without a cut across a cannot-link edge. A graph whose soft
-// constraints do not amount to one cannot-link edge is not cut.
+// constraints do not amount to half a cannot-link edge is not cut.
 class BestCutFinder final : public CutFinder {
  public:
   [[nodiscard]] bool may_cut(const SubgraphStore& store, const Subgraph& graph) const override {
-    return store.cannot_links(graph) >= 1;
+    return store.cannot_links(graph) >= 0.5;
   }
   // The cut of the highest utility, the earliest among equals. Every edge is added to the cut where
   // the order meets its first end and taken out where it meets the second, so one pass over the

@@ -7,8 +7,8 @@
 namespace cleave::segmentation {
 namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-constexpr double weak_share = 0.6;
-constexpr std::uint32_t pair_factor = 3;
+constexpr double weak_share = 0.5;
+constexpr std::uint32_t pair_factor = 4;
 }  // namespace
 
 void SmallSegmentMerger::list_edges_of_supervoxels(const std::vector<SupervoxelEdge>& edges,

@@ -13,10 +13,10 @@ namespace cleave::segmentation {
 // Smallest first, every segment with fewer than min_segment_points joins the neighbour to which it
 // has the largest summed weight of valid edges; one without a valid edge, the neighbour with the
 // longest border; one without a neighbour stays. Ties go to the lower number. Larger ones join that
-// neighbour if the border is weak, which it is if at least 60 percent of it are neither invalid nor
+// neighbour if the border is weak, which it is if more than half of it is neither invalid nor
 // cannot-link, and
 // - the segment has fewer than weak_border_points, or
-// - both have fewer than three times as many.
+// - both have fewer than four times as many.
 class SmallSegmentMerger {
  public:
   // `segment`, of a supervoxel, is changed in place; numbers of segments that joined are not used

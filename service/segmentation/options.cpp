@@ -18,6 +18,7 @@ Options thesis() {
   options.graph.cannot_link_rad = 45 * degree_rad;
   options.graph.soft_cannot_link_rad = 45 * degree_rad;
   options.graph.max_step_m = 0;
+  options.partition.eigenvectors = 10;
   options.partition.utility_threshold = 1;
   options.partition.coarsening_rounds = 0;
   options.clean_up.join_across_borders = false;

@@ -68,8 +68,8 @@ struct GraphOptions {
 };
 
 struct PartitionOptions {
-  std::uint32_t eigenvectors = 10;  // k of Algorithm 1, the constant one not counted
-  float utility_threshold = 0.5F;   // Algorithm 1, line 13
+  std::uint32_t eigenvectors = 7;  // k of Algorithm 1, the constant one not counted
+  float utility_threshold = 0.5F;  // Algorithm 1, line 13
   Decomposition decomposition = Decomposition::recursive;
   Laplacian laplacian = Laplacian::unnormalised;
   // Constrained SSC, which takes one eigenvector: what a cannot-link edge weighs less than nothing
@@ -95,8 +95,8 @@ struct ConvexComponentsOptions {
 struct CleanUpOptions {
   // Neighbours whose common border gives no reason to part them join: see BorderJoiner.
   bool join_across_borders = true;
-  std::uint32_t min_segment_points = 170;  // smaller segments join a neighbour; 0 = off
-  // Smaller segments, and pairs of which both have fewer than three times as many points, join
+  std::uint32_t min_segment_points = 150;  // smaller segments join a neighbour; 0 = off
+  // Smaller segments, and pairs of which both have fewer than four times as many points, join
   // across a weak border: one that is cannot-link along little of its length; 0 = off.
   std::uint32_t weak_border_points = 500;
 };

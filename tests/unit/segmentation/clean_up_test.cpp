@@ -79,7 +79,7 @@ TEST(SmallSegmentMerger, CallsABorderWeakByItsLength) {
 
   SmallSegmentMerger().merge({strong, weak}, {50000, 50000, 300}, 2, options, segment);
 
-  EXPECT_EQ(segment, (Segments{0, 0, 1})) << "5 of 11 links are less than 60 percent";
+  EXPECT_EQ(segment, (Segments{0, 0, 1})) << "5 of 11 links are not half";
 }
 
 }  // namespace
