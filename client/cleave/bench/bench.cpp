@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "cleave/bench/allocation_counter.hpp"
-#include "cleave/evaluation/nearest_label.hpp"
+#include "cleave/cloud/option_setter.hpp"
 #include "cleave/peers/load_peers.hpp"
 
 namespace cleave::client {
@@ -27,7 +27,7 @@ Bench::Bench(const BenchPlan& plan) : plan_(plan) {
   for (std::uint32_t i = 0; i < plan.grid_offsets; ++i) {
     segmentation::Options options = plan.options;
     if (plan.grid_offsets > 1) {
-      options.voxel.grid_offset = static_cast<float>(i) / static_cast<float>(plan.grid_offsets);
+      options.voxel.grid_offset = even_grid_offset(i, plan.grid_offsets);
     }
     grids_.push_back({options.voxel.grid_offset, segmentation::Segmenter(options)});
   }
@@ -74,7 +74,7 @@ void Bench::run_peers(const LabelledCloud& cloud, bool judged) {
     peers_[i]->segment(labels_);
     record.run_ms.push_back(thread_ms() - began_ms);
     record.wall_ms.push_back(wall_ms_since(began));
-    if (judged) record.qualities.push_back(judge(cloud));
+    if (judged) record.qualities.push_back(evaluation::judge(cloud, labels_));
   }
 }
 
@@ -91,7 +91,7 @@ void Bench::run_ours(Grid& grid, const LabelledCloud& cloud) {
 }
 
 void Bench::judge_ours(const std::string& name, const Grid& grid, const LabelledCloud& cloud) {
-  const Quality quality = judge(cloud);
+  const Quality quality = evaluation::judge(cloud, labels_);
   result_.ours.qualities.push_back(quality);
   if (!plan_.find_collapses || quality.weighted_covering >= collapsed_below) return;
   const double of_thesis = covering_of_thesis(grid.offset, cloud);
@@ -103,12 +103,7 @@ double Bench::covering_of_thesis(float grid_offset, const LabelledCloud& cloud) 
   segmentation::Options options = segmentation::thesis();
   options.voxel.grid_offset = grid_offset;
   (void)segmentation::Segmenter(options).segment(cloud.view(), labels_, segmentation_);
-  return judge(cloud).weighted_covering;
-}
-
-Quality Bench::judge(const LabelledCloud& cloud) {
-  evaluation::label_unlabelled(cloud.view(), labels_);
-  return evaluation::judge(cloud.label, labels_);
+  return evaluation::judge(cloud, labels_).weighted_covering;
 }
 
 }  // namespace cleave::client

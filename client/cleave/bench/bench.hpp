@@ -66,8 +66,6 @@ class Bench {
                   const evaluation::LabelledCloud& cloud);
   [[nodiscard]] double covering_of_thesis(float grid_offset,
                                           const evaluation::LabelledCloud& cloud);
-  // Of labels_; points without one are given one first.
-  [[nodiscard]] evaluation::Quality judge(const evaluation::LabelledCloud& cloud);
 
   BenchPlan plan_;
   std::vector<Grid> grids_;

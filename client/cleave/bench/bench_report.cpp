@@ -2,9 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-#include <numeric>
-
 #include "cleave/console/table.hpp"
 
 namespace cleave::client {
@@ -25,13 +22,10 @@ Json stages_json(const StageTimes& times) {
   return stages;
 }
 
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 Json allocations_json(const std::vector<double>& allocations) {
   if (allocations.empty()) return nullptr;
-  return {{"mean", mean_of(allocations)}, {"max", std::ranges::max(allocations)}};
+  const Spread s = spread(allocations);
+  return {{"mean", s.mean}, {"max", s.max}};
 }
 
 std::vector<std::string> method_row(const std::string& name, const Record& record,
@@ -45,7 +39,7 @@ std::vector<std::string> method_row(const std::string& name, const Record& recor
       row.insert(row.end(), {"-", "-"});
       continue;
     }
-    const MeanAndMin s = summary(record.qualities, measure);
+    const Spread s = summary(record.qualities, measure);
     row.insert(row.end(), {fmt::format("{:.4f}", s.mean), fmt::format("{:.4f}", s.min)});
   }
   return row;
@@ -108,8 +102,8 @@ std::string text_of(const BenchResult& result) {
       result.points.size(), result.ours.run_ms.size(), percentiles(result.points).median,
       percentiles(result.segments).median, percentiles(result.ours.wall_ms).median);
   if (!result.allocations.empty()) {
-    text += fmt::format("; allocations a run: mean {:.1f}, max {:.0f}", mean_of(result.allocations),
-                        std::ranges::max(result.allocations));
+    const Spread s = spread(result.allocations);
+    text += fmt::format("; allocations a run: mean {:.1f}, max {:.0f}", s.mean, s.max);
   }
   return text + '\n';
 }

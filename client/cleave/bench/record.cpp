@@ -1,6 +1,6 @@
 #include "cleave/bench/record.hpp"
 
-#include <algorithm>
+#include <vector>
 
 namespace cleave::client {
 namespace {
@@ -9,20 +9,17 @@ using evaluation::Quality;
 
 Json json_of(const std::vector<Quality>& qualities, double Quality::*measure) {
   if (qualities.empty()) return nullptr;
-  const MeanAndMin s = summary(qualities, measure);
+  const Spread s = summary(qualities, measure);
   return {{"mean", s.mean}, {"min", s.min}};
 }
 
 }  // namespace
 
-MeanAndMin summary(const std::vector<Quality>& qualities, double Quality::*measure) {
-  double sum = 0;
-  double min = qualities.front().*measure;
-  for (const Quality& quality : qualities) {
-    sum += quality.*measure;
-    min = std::min(min, quality.*measure);
-  }
-  return {sum / static_cast<double>(qualities.size()), min};
+Spread summary(const std::vector<Quality>& qualities, double Quality::*measure) {
+  std::vector<double> values;
+  values.reserve(qualities.size());
+  for (const Quality& quality : qualities) values.push_back(quality.*measure);
+  return spread(values);
 }
 
 Json Record::json() const {

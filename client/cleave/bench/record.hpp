@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cleave/console/json.hpp"
+#include "cleave/console/percentiles.hpp"
 #include "cleave/evaluation/quality.hpp"
 
 namespace cleave::client {
@@ -19,12 +20,8 @@ struct Record {
   [[nodiscard]] Json json() const;
 };
 
-struct MeanAndMin {
-  double mean = 0;
-  double min = 0;
-};
-// Over all qualities, which must not be empty.
-[[nodiscard]] MeanAndMin summary(const std::vector<evaluation::Quality>& qualities,
-                                 double evaluation::Quality::*measure);
+// Of one measure over all qualities.
+[[nodiscard]] Spread summary(const std::vector<evaluation::Quality>& qualities,
+                             double evaluation::Quality::*measure);
 
 }  // namespace cleave::client

@@ -20,4 +20,13 @@ std::vector<std::filesystem::path> pcd_files(const std::filesystem::path& path) 
   return files;
 }
 
+std::vector<std::filesystem::path> pcd_files(const std::vector<std::string>& paths) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& path : paths) {
+    const auto more = pcd_files(std::filesystem::path(path));
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
 }  // namespace cleave::client

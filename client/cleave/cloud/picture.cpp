@@ -94,6 +94,20 @@ Picture segment_picture(const DepthImage& image) {
   return picture;
 }
 
+Picture difference_picture(const DepthImage& truth, std::span<const std::uint16_t> found) {
+  constexpr Rgb right{80, 220, 80};
+  constexpr Rgb wrong{255, 40, 40};
+  const std::vector<float> levels = brightness(truth);
+  Picture picture{truth.width, truth.height, {}};
+  picture.pixels.reserve(levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    picture.pixels.push_back(
+        truth.label[i] == 0 ? grey(levels[i])
+                            : tinted(truth.label[i] == found[i] ? right : wrong, levels[i], false));
+  }
+  return picture;
+}
+
 Picture side_by_side(const Picture& left, const Picture& right) {
   Picture both{left.width + right.width, left.height, {}};
   both.pixels.reserve(std::size_t{both.width} * both.height);
@@ -103,6 +117,12 @@ Picture side_by_side(const Picture& left, const Picture& right) {
       both.pixels.insert(both.pixels.end(), begin, begin + half->width);
     }
   }
+  return both;
+}
+
+Picture one_above_other(const Picture& top, const Picture& bottom) {
+  Picture both{top.width, top.height + bottom.height, top.pixels};
+  both.pixels.insert(both.pixels.end(), bottom.pixels.begin(), bottom.pixels.end());
   return both;
 }
 

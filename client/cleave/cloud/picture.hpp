@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cleave/cloud/depth_image.hpp"
@@ -34,7 +35,15 @@ struct Picture {
 // The same with every segment tinted in its label's colour, darker along its borders.
 [[nodiscard]] Picture segment_picture(const DepthImage& image);
 
+// Green where `found`, one label a pixel, is the image's own label, red where it is another, and
+// grey where the image has none (Figure 5.7b of the thesis); darker with depth.
+[[nodiscard]] Picture difference_picture(const DepthImage& truth,
+                                         std::span<const std::uint16_t> found);
+
 // Both of the same height.
 [[nodiscard]] Picture side_by_side(const Picture& left, const Picture& right);
+
+// Both of the same width.
+[[nodiscard]] Picture one_above_other(const Picture& top, const Picture& bottom);
 
 }  // namespace cleave::client

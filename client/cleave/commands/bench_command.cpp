@@ -37,25 +37,15 @@ BenchPlan plan_of(const BenchOptions& options) {
           .find_collapses = options.collapse};
 }
 
-std::vector<std::filesystem::path> files_of(const BenchOptions& options) {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& path : options.paths) {
-    const auto more = pcd_files(path);
-    files.insert(files.end(), more.begin(), more.end());
-  }
-  return files;
-}
-
 // `Measurer`: Bench or Growth. Returns how many files had to be left out.
 template <class Measurer>
 std::size_t measure_all(const BenchOptions& options, Measurer& measurer) {
-  const std::vector<std::filesystem::path> files = files_of(options);
+  const std::vector<std::filesystem::path> files = pcd_files(options.paths);
   std::size_t skipped = 0;
   {
-    ProgressBar progress(
-        std::cerr, is_terminal(STDERR_FILENO) ? terminal_columns(STDERR_FILENO) : 0, files.size());
+    ProgressBar progress(std::cerr, live_columns(STDERR_FILENO));
     for (std::size_t i = 0; i < files.size(); ++i) {
-      progress.show(i);
+      progress.show(i, files.size());
       try {
         measurer.measure(files[i].string(), evaluation::load_cloud(files[i]));
       } catch (const std::runtime_error& error) {

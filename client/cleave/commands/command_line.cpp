@@ -5,6 +5,7 @@
 #include "cleave/commands/bench_command.hpp"
 #include "cleave/commands/convert_command.hpp"
 #include "cleave/commands/echo_command.hpp"
+#include "cleave/commands/evaluate_command.hpp"
 #include "cleave/commands/hz_command.hpp"
 #include "cleave/commands/info_command.hpp"
 #include "cleave/commands/list_command.hpp"
@@ -28,6 +29,7 @@ void describe_command_line(CLI::App& app, Action& action) {
       "  cleave watch                        every frame of the only sensor, until it ends\n"
       "  cleave record run.mcap              the live stream into a file\n"
       "  cleave segment in.pcd out.pcd       one recorded cloud\n"
+      "  cleave evaluate scenes              how good the segments of labelled clouds are\n"
       "  cleave COMMAND --help               more on each command\n"
       "\n"
       "Exit codes: 0 done, 1 failed at run time, 2 wrong usage.\n"
@@ -46,6 +48,7 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_convert_command(app, action);
   add_recover_command(app, action);
   add_bench_command(app, action);
+  add_evaluate_command(app, action);
 }
 
 }  // namespace cleave::client

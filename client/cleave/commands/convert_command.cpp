@@ -26,7 +26,7 @@ int run(const ConvertOptions& options) {
   const auto source = open_frame_source(options.input, sensor.empty() ? "camera" : sensor);
   const auto sink = open_frame_sink(options.output);
   const bool terminal = is_terminal(STDERR_FILENO);
-  LiveLine line(std::cerr, terminal ? terminal_columns(STDERR_FILENO) : 0);
+  LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   std::size_t frames = 0;
   while (auto frame = source->next()) {
     sink->write(std::move(*frame));

@@ -58,7 +58,7 @@ RecordingLimits limits_of(const RecordOptions& options) {
 std::string record(RecordSession& session, BackgroundWriter& writer, Shutdown& shutdown,
                    const RecordOptions& options) {
   const bool terminal = is_terminal(STDERR_FILENO);
-  LiveLine line(std::cerr, terminal ? terminal_columns(STDERR_FILENO) : 0);
+  LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   auto next_line = std::chrono::steady_clock::now();
   return session.run(shutdown, options.duration_s, [&] {
     if (!terminal || std::chrono::steady_clock::now() < next_line) return;

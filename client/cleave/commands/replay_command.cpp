@@ -86,7 +86,7 @@ std::string counts_of(const ReplaySession& session) {
 
 void replay(ReplaySession& session, Shutdown& shutdown) {
   const bool terminal = is_terminal(STDERR_FILENO);
-  LiveLine line(std::cerr, terminal ? terminal_columns(STDERR_FILENO) : 0);
+  LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   auto next_line = std::chrono::steady_clock::now();
   session.run(shutdown, [&] {
     if (!terminal || std::chrono::steady_clock::now() < next_line) return;

@@ -10,8 +10,11 @@ void add_segmentation_options(CLI::App& command, SegmentationArguments& argument
   command.add_flag("--thesis", arguments.thesis,
                    "start from the options of the thesis, not from ours");
   command.add_option("--algorithm", arguments.algorithm, "same as --set algorithm=...");
-  command.add_option("--set", arguments.settings,
-                     "an option of the segmentation; may be repeated")
+  add_set_option(command, arguments.settings);
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
+  command.add_option("--set", settings, "an option of the segmentation; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);  // one each: what follows may be the files
 }

@@ -18,6 +18,9 @@ struct SegmentationArguments {
 // --thesis, --algorithm and --set.
 void add_segmentation_options(CLI::App& command, SegmentationArguments& arguments);
 
+// --set alone.
+void add_set_option(CLI::App& command, std::vector<std::string>& settings);
+
 // Throws UsageError for what is no option or no value of one.
 [[nodiscard]] segmentation::Options options_of(const SegmentationArguments& arguments);
 

@@ -78,7 +78,7 @@ int run(const VerifyOptions& options) {
   const segmentation::Options segmentation = options_of(options.segmentation);
   OfflineSegmenter segmenter(segmentation, options.workers);
   const bool terminal = is_terminal(STDERR_FILENO);
-  LiveLine line(std::cerr, terminal ? terminal_columns(STDERR_FILENO) : 0);
+  LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   if (options.update) return run_update(options, segmenter, line, terminal);
 
   Json frames = Json::array();

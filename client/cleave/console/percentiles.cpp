@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cleave::client {
 
@@ -14,6 +15,13 @@ Percentiles percentiles(std::vector<double> values) {
     return values[rank - 1];
   };
   return {at(0.5), at(0.9), at(0.99)};
+}
+
+Spread spread(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  const auto [min, max] = std::minmax_element(values.begin(), values.end());
+  return {sum / static_cast<double>(values.size()), *min, *max};
 }
 
 void RecentValues::add(double value) {

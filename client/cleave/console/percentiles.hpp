@@ -1,4 +1,4 @@
-// Median, 90th and 99th percentile of what was measured last.
+// Many measured values in a few: percentiles, mean and extremes.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,15 @@ struct Percentiles {
   double p99 = 0;
 };
 [[nodiscard]] Percentiles percentiles(std::vector<double> values);
+
+struct Spread {
+  double mean = 0;
+  double min = 0;
+  double max = 0;
+};
+// Of values in their order: the same values give the same mean, bit by bit. All 0 where there are
+// none.
+[[nodiscard]] Spread spread(const std::vector<double>& values);
 
 // The latest `capacity` values: a stream may be watched for days.
 class RecentValues {

@@ -15,4 +15,8 @@ std::size_t terminal_columns(int file_descriptor) {
   return size.ws_col;
 }
 
+std::size_t live_columns(int file_descriptor) {
+  return is_terminal(file_descriptor) ? terminal_columns(file_descriptor) : 0;
+}
+
 }  // namespace cleave::client

@@ -10,4 +10,7 @@ namespace cleave::client {
 // Columns of the terminal; 80 where that is not known.
 [[nodiscard]] std::size_t terminal_columns(int file_descriptor);
 
+// Columns for lines that are rewritten in place: 0 where this is not a terminal.
+[[nodiscard]] std::size_t live_columns(int file_descriptor);
+
 }  // namespace cleave::client

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "cleave/cloud/depth_image.hpp"
+#include "cleave/evaluation/partners.hpp"
+
 namespace cleave::evaluation {
 namespace {
 
@@ -77,6 +80,19 @@ BoundaryScore judge_boundaries(std::uint32_t width, std::span<const std::uint32_
   const double sum = score.precision + score.recall;
   score.f = sum > 0 ? 2 * score.precision * score.recall / sum : 0;
   return score;
+}
+
+BoundaryScore judge_boundaries(const LabelledCloud& cloud, std::span<const std::uint16_t> found) {
+  if (cloud.view().organised()) {
+    return judge_boundaries(cloud.width, cloud.label, found,
+                            boundary_tolerance_px(cloud.width, cloud.height));
+  }
+  const PairedLabels paired = pair_labels(cloud.label, found);
+  const auto truth = client::depth_image(cloud.view(), paired.truth);
+  const auto result = client::depth_image(cloud.view(), paired.found);
+  return judge_boundaries(truth.width,
+                          std::vector<std::uint32_t>(truth.label.begin(), truth.label.end()),
+                          result.label, boundary_tolerance_px(truth.width, truth.height));
 }
 
 }  // namespace cleave::evaluation

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "cleave/evaluation/labelled_cloud.hpp"
+
 namespace cleave::evaluation {
 
 struct BoundaryScore {
@@ -24,5 +26,10 @@ struct BoundaryScore {
                                              std::span<const std::uint32_t> truth,
                                              std::span<const std::uint16_t> found,
                                              std::uint32_t tolerance_px);
+
+// The same for a labelled cloud, with the tolerance above. A cloud that is no image is projected
+// onto one first (depth_image), where the nearest point counts.
+[[nodiscard]] BoundaryScore judge_boundaries(const LabelledCloud& cloud,
+                                             std::span<const std::uint16_t> found);
 
 }  // namespace cleave::evaluation

@@ -23,10 +23,13 @@ std::map<LabelPair, double> count_pairs(std::span<const std::uint32_t> truth,
   return count;
 }
 
+// Numbers the labels in their order, and lists them.
 template <typename Label>
-void number(std::map<Label, std::size_t>& labels) {
-  std::size_t next = 0;
-  for (auto& [label, index] : labels) index = next++;
+void number(std::map<Label, std::size_t>& labels, std::vector<Label>& list) {
+  for (auto& [label, index] : labels) {
+    index = list.size();
+    list.push_back(label);
+  }
 }
 
 }  // namespace
@@ -40,10 +43,9 @@ Overlaps count_overlaps(std::span<const std::uint32_t> truth,
     rows.emplace(labels.first, 0);
     if (labels.second != 0) columns.emplace(labels.second, 0);
   }
-  number(rows);
-  number(columns);
-
   Overlaps o;
+  number(rows, o.truth_label);
+  number(columns, o.found_label);
   o.common.assign(rows.size(), std::vector<double>(columns.size(), 0));
   o.truth_size.assign(rows.size(), 0);
   o.found_size.assign(columns.size(), 0);

@@ -12,6 +12,8 @@ namespace cleave::evaluation {
 struct Overlaps {
   std::vector<std::vector<double>> common;
   std::vector<double> truth_size, found_size;
+  std::vector<std::uint32_t> truth_label;
+  std::vector<std::uint16_t> found_label;
   double points = 0;  // that have a true label
 
   [[nodiscard]] std::size_t true_segments() const { return truth_size.size(); }

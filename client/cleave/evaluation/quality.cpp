@@ -1,31 +1,16 @@
 #include "cleave/evaluation/quality.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "cleave/evaluation/assignment.hpp"
+#include "cleave/evaluation/nearest_label.hpp"
 #include "cleave/evaluation/overlaps.hpp"
+#include "cleave/evaluation/partners.hpp"
 
 namespace cleave::evaluation {
 namespace {
 
 constexpr double object_iou = 0.75;
-
-std::vector<std::vector<double>> transposed(const std::vector<std::vector<double>>& matrix) {
-  std::vector<std::vector<double>> result(matrix.front().size());
-  for (const auto& row : matrix) {
-    for (std::size_t c = 0; c < row.size(); ++c) result[c].push_back(row[c]);
-  }
-  return result;
-}
-
-std::uint32_t count_matches(const std::vector<std::vector<double>>& common) {
-  if (common.empty() || common.front().empty()) return 0;
-  const auto gain = common.size() <= common.front().size() ? common : transposed(common);
-  const auto column = best_assignment(gain);
-  std::uint32_t matches = 0;
-  for (std::size_t row = 0; row < gain.size(); ++row) matches += gain[row][column[row]] > 0 ? 1 : 0;
-  return matches;
-}
 
 void judge_covering(const Overlaps& o, Quality& quality) {
   for (std::size_t row = 0; row < o.true_segments(); ++row) {
@@ -61,11 +46,20 @@ Quality judge(std::span<const std::uint32_t> truth, std::span<const std::uint16_
   Quality quality;
   if (o.points == 0) return quality;
   judge_covering(o, quality);
-  const std::uint32_t matches = count_matches(o.common);
-  quality.under = static_cast<std::uint32_t>(o.true_segments()) - matches;
-  quality.over = static_cast<std::uint32_t>(o.found_segments()) - matches;
+  const std::vector<std::size_t> partner = partners(o);
+  const auto unmatched = std::ranges::count(partner, no_partner);
+  const auto matches = static_cast<std::uint32_t>(std::ssize(partner) - unmatched);
+  quality.true_segments = static_cast<std::uint32_t>(o.true_segments());
+  quality.found_segments = static_cast<std::uint32_t>(o.found_segments());
+  quality.under = quality.true_segments - matches;
+  quality.over = quality.found_segments - matches;
   judge_objects(o, quality);
   return quality;
+}
+
+Quality judge(const LabelledCloud& cloud, std::span<std::uint16_t> found) {
+  label_unlabelled(cloud.view(), found);
+  return judge(cloud.label, found);
 }
 
 }  // namespace cleave::evaluation

@@ -44,6 +44,11 @@ std::unique_ptr<Peer> make_pcl_lccp(const LccpParameters& parameters) {
       find<decltype(cleave_new_pcl_lccp)>("cleave_new_pcl_lccp")(parameters));
 }
 
+std::unique_ptr<Peer> make_pcl_cpc(const CpcParameters& parameters) {
+  return std::unique_ptr<Peer>(
+      find<decltype(cleave_new_pcl_cpc)>("cleave_new_pcl_cpc")(parameters));
+}
+
 std::unique_ptr<Peer> make_pcl_ssc(const segmentation::Options& options,
                                    const SupervoxelParameters& supervoxels) {
   return std::unique_ptr<Peer>(

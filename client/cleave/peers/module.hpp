@@ -8,6 +8,8 @@
 extern "C" {
 [[nodiscard]] cleave::peers::Peer* cleave_new_pcl_lccp(
     const cleave::peers::LccpParameters& parameters);
+[[nodiscard]] cleave::peers::Peer* cleave_new_pcl_cpc(
+    const cleave::peers::CpcParameters& parameters);
 [[nodiscard]] cleave::peers::Peer* cleave_new_pcl_ssc(
     const cleave::segmentation::Options& options,
     const cleave::peers::SupervoxelParameters& supervoxels);

@@ -1,7 +1,5 @@
-#include <pcl/segmentation/lccp_segmentation.h>
-
 #include "cleave/peers/module.hpp"
-#include "cleave/peers/pcl_supervoxels.hpp"
+#include "cleave/peers/pcl_convexity.hpp"
 
 namespace cleave::peers {
 namespace {
@@ -15,19 +13,9 @@ class PclLccp : public Peer {
   void segment(std::span<std::uint16_t> labels) override {
     const PclSupervoxels supervoxels = cluster(cloud_, parameters_.supervoxels);
     pcl::LCCPSegmentation<PclPoint> lccp;
-    lccp.setConcavityToleranceThreshold(parameters_.concavity_tolerance_deg);
-    lccp.setSanityCheck(parameters_.sanity_check);
-    lccp.setSmoothnessCheck(false, 0, 0);
-    lccp.setKFactor(parameters_.k_factor);
-    lccp.setMinSegmentSize(parameters_.min_segment_supervoxels);
-    lccp.setInputSupervoxels(supervoxels.clusters, supervoxels.adjacency);
+    set_up(lccp, parameters_, supervoxels);
     lccp.segment();
-    std::map<std::uint32_t, std::uint32_t> segment_of;  // numbered from 1
-    lccp.getSupervoxelToSegmentMap(segment_of);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      const auto found = segment_of.find((*supervoxels.labelled)[i].label);
-      labels[i] = found == segment_of.end() ? 0 : static_cast<std::uint16_t>(found->second);
-    }
+    take_labels(lccp, supervoxels, labels);
   }
 
  private:
@@ -40,5 +28,6 @@ class PclLccp : public Peer {
 }  // namespace cleave::peers
 
 cleave::peers::Peer* cleave_new_pcl_lccp(const cleave::peers::LccpParameters& parameters) {
+  cleave::peers::silence_pcl();
   return new cleave::peers::PclLccp(parameters);
 }

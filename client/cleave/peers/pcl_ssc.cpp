@@ -94,5 +94,6 @@ class PclSsc : public Peer {
 
 cleave::peers::Peer* cleave_new_pcl_ssc(const cleave::segmentation::Options& options,
                                         const cleave::peers::SupervoxelParameters& supervoxels) {
+  cleave::peers::silence_pcl();
   return new cleave::peers::PclSsc(options, supervoxels);
 }

@@ -6,6 +6,10 @@
 
 namespace cleave::peers {
 
+void silence_pcl() {
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
+}
+
 PclCloud::Ptr to_pcl(const segmentation::CloudView& cloud) {
   // Not `new`: PCL's library would give it back by another `delete` than this standard's.
   const auto result = std::make_shared<PclCloud>(cloud.width, cloud.height);
@@ -20,7 +24,6 @@ PclCloud::Ptr to_pcl(const segmentation::CloudView& cloud) {
 }
 
 PclSupervoxels cluster(const PclCloud::Ptr& cloud, const SupervoxelParameters& parameters) {
-  pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
   // An object of its own for each cloud: PCL's asserts when it is used a second time.
   pcl::SupervoxelClustering<PclPoint> clustering(parameters.voxel_m, parameters.seed_m);
   clustering.setUseSingleCameraTransform(parameters.single_camera_transform);

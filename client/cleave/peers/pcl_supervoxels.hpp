@@ -15,6 +15,10 @@ namespace cleave::peers {
 using PclPoint = pcl::PointXYZRGBA;  // for which PCL brings the clustering compiled
 using PclCloud = pcl::PointCloud<PclPoint>;
 
+// PCL reports as errors what is part of a day's work (CPC: a plane that no edge supports). Its
+// level is one variable for all threads: set it before any runs.
+void silence_pcl();
+
 [[nodiscard]] PclCloud::Ptr to_pcl(const segmentation::CloudView& cloud);
 
 struct PclSupervoxels {

@@ -21,7 +21,7 @@ class Peer {
   virtual void segment(std::span<std::uint16_t> labels) = 0;
 };
 
-// PCL's SupervoxelClustering as both methods below use it: Papon et al., "Voxel Cloud Connectivity
+// PCL's SupervoxelClustering as the methods below use it: Papon et al., "Voxel Cloud Connectivity
 // Segmentation", CVPR 2013. The values are those of the thesis and of LCCP's paper.
 struct SupervoxelParameters {
   float voxel_m = 0.0075F;
@@ -41,7 +41,16 @@ struct LccpParameters {
   std::uint32_t k_factor = 1;  // extended convexity
   std::uint32_t min_segment_supervoxels = 3;
 };
-// The best that was found for it on table-top scenes.
+// PCL's CPCSegmentation on top of that: Schoeler et al., "Constrained Planar Cuts - Object
+// Partitioning for Point Clouds", CVPR 2015, with the values of PCL's example.
+struct CpcParameters {
+  LccpParameters lccp;
+  std::uint32_t max_cuts = 25;
+  std::uint32_t cutting_min_segments = 400;
+  float min_cut_score = 0.16F;
+  std::uint32_t ransac_iterations = 10000;
+};
+// The best that was found for LCCP on table-top scenes.
 [[nodiscard]] LccpParameters tuned_lccp();
 
 }  // namespace cleave::peers

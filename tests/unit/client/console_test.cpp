@@ -64,13 +64,13 @@ TEST(LiveLine, PrintsPlainLinesElsewhere) {
 
 TEST(ProgressBar, IsSilentWhereThereIsNoTerminal) {
   std::ostringstream out;
-  { ProgressBar(out, 0, 10).show(5); }
+  { ProgressBar(out, 0).show(5, 10); }
   EXPECT_EQ(out.str(), "");
 }
 
 TEST(ProgressBar, FillsWithWhatIsDoneAndVanishes) {
   std::ostringstream out;
-  { ProgressBar(out, 18, 10).show(5); }
+  { ProgressBar(out, 18).show(5, 10); }
   EXPECT_EQ(out.str(), "\r[#####.....] 5/10\x1b[K\r\x1b[K");
 }
 
