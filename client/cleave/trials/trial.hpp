@@ -15,9 +15,9 @@ namespace cleave::client {
 
 struct TrialPlan {
   std::vector<Method> methods;
-  std::uint32_t grid_offsets = 1;  // shifts of the grid, evenly over one voxel
-  std::uint32_t jobs = 1;          // scenes at a time
-  std::filesystem::path pictures;  // folder for a sheet a scene; empty = none
+  std::uint32_t grid_offsets = 1;    // shifts of the grid, evenly over one voxel
+  std::uint32_t jobs = 1;            // scenes at a time
+  std::filesystem::path pictures{};  // folder for a sheet a scene; empty = none
 };
 
 // One segmentation of one scene.

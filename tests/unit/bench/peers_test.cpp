@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "cleave/evaluation/quality.hpp"
 #include "cleave/peers/load_peers.hpp"
@@ -52,10 +54,21 @@ TEST_P(APeer, SegmentsOneCloudAfterTheOther) {
   EXPECT_GT(evaluation::judge(before, segment(scene)).weighted_covering, 0.9);
 }
 
+std::unique_ptr<Peer> tuned_cpc() {
+  CpcParameters parameters;
+  parameters.lccp = tuned_lccp();  // what it starts from
+  return make_pcl_cpc(parameters);
+}
+
+std::string name_of(const testing::TestParamInfo<MakePeer>& peer) {
+  constexpr std::array names = {"Lccp", "Ssc", "Cpc"};
+  return names.at(peer.index);
+}
+
 INSTANTIATE_TEST_SUITE_P(Pcl, APeer,
                          testing::Values([] { return make_pcl_lccp(tuned_lccp()); },
-                                         [] { return make_pcl_ssc({}); }),
-                         [](const auto& peer) { return peer.index == 0 ? "Lccp" : "Ssc"; });
+                                         [] { return make_pcl_ssc({}); }, tuned_cpc),
+                         name_of);
 
 }  // namespace
 }  // namespace cleave::peers
