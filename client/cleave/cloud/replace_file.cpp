@@ -54,4 +54,17 @@ void replace_file(const std::filesystem::path& file,
   }
 }
 
+void replace_file(const std::filesystem::path& file, std::string_view text) {
+  replace_file(file, {std::as_bytes(std::span(text))});
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && std::filesystem::is_directory(folder)) return;
+  throw std::runtime_error(folder.string() + ": this folder cannot be made: " +
+                           (error ? error.message() : "a file has its name") +
+                           "; name another folder, or make its parent writable");
+}
+
 }  // namespace cleave::client

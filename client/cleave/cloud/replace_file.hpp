@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <initializer_list>
 #include <span>
+#include <string_view>
 
 namespace cleave::client {
 
@@ -13,5 +14,12 @@ namespace cleave::client {
 // Throws std::runtime_error, naming the file and what to do, and removes the temporary file.
 void replace_file(const std::filesystem::path& file,
                   std::initializer_list<std::span<const std::byte>> parts);
+
+// Text, in the same way.
+void replace_file(const std::filesystem::path& file, std::string_view text);
+
+// With the folders above it; nothing happens where it is there already. Throws std::runtime_error,
+// naming the folder and what to do.
+void make_folder(const std::filesystem::path& folder);
 
 }  // namespace cleave::client

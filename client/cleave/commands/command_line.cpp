@@ -14,6 +14,7 @@
 #include "cleave/commands/replay_command.hpp"
 #include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
+#include "cleave/commands/study_command.hpp"
 #include "cleave/commands/verify_command.hpp"
 #include "cleave/commands/watch_command.hpp"
 
@@ -49,6 +50,7 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_recover_command(app, action);
   add_bench_command(app, action);
   add_evaluate_command(app, action);
+  add_study_command(app, action);
 }
 
 }  // namespace cleave::client

@@ -1,8 +1,5 @@
 #include "cleave/commands/evaluate_command.hpp"
 
-#include <spdlog/spdlog.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -12,9 +9,9 @@
 
 #include "cleave/cloud/option_setter.hpp"
 #include "cleave/cloud/pcd_folder.hpp"
+#include "cleave/cloud/replace_file.hpp"
 #include "cleave/commands/segmentation_options.hpp"
-#include "cleave/console/progress_bar.hpp"
-#include "cleave/console/terminal.hpp"
+#include "cleave/commands/trial_run.hpp"
 #include "cleave/trials/csv.hpp"
 #include "cleave/trials/report.hpp"
 
@@ -49,7 +46,7 @@ std::vector<Method> methods_of(const EvaluateOptions& options) {
 
 // Found out before the work, not behind it.
 void prepare_outputs(const EvaluateOptions& options) {
-  if (!options.pictures.empty()) std::filesystem::create_directories(options.pictures);
+  if (!options.pictures.empty()) make_folder(options.pictures);
   if (options.csv.empty()) return;
   const auto folder = std::filesystem::absolute(options.csv).parent_path();
   if (!std::filesystem::is_directory(folder)) {
@@ -76,20 +73,12 @@ TrialResult evaluate(const EvaluateOptions& options) {
   result.groups = groups_of(options, files.size());
   for (const Method& method : plan.methods) result.methods.push_back(method.name);
   prepare_outputs(options);
-  ProgressBar progress(std::cerr, live_columns(STDERR_FILENO));
-  result.scenes =
-      try_scenes(plan, files, [&](std::size_t done, std::size_t all) { progress.show(done, all); });
+  result.scenes = try_and_warn(plan, files);
   return result;
 }
 
 int run(const EvaluateOptions& options) {
   const TrialResult result = evaluate(options);
-  for (const Scene& scene : result.scenes) {
-    if (!scene.tried()) spdlog::warn("skipped: {}", scene.problem);
-  }
-  if (result.skipped() == result.scenes.size()) {
-    throw std::runtime_error("no scene could be evaluated; the warnings above say why");
-  }
   if (options.json) {
     Json json = json_of(result);
     json["grid_offsets"] = options.grid_offsets;
@@ -97,7 +86,7 @@ int run(const EvaluateOptions& options) {
   } else {
     std::cout << text_of(result);
   }
-  if (!options.csv.empty()) write_text(options.csv, csv_of(result));
+  if (!options.csv.empty()) replace_file(options.csv, csv_of(result));
   return result.skipped() == 0 ? exit_done : exit_failed;
 }
 

@@ -2,9 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <span>
-
-#include "cleave/cloud/replace_file.hpp"
 #include "cleave/trials/measures.hpp"
 
 namespace cleave::client {
@@ -39,10 +36,6 @@ std::string csv_of(const TrialResult& result) {
     }
   }
   return text;
-}
-
-void write_text(const std::filesystem::path& file, std::string_view text) {
-  replace_file(file, {std::as_bytes(std::span(text))});
 }
 
 }  // namespace cleave::client

@@ -1,7 +1,6 @@
 // Tables for spreadsheets.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,8 +14,5 @@ namespace cleave::client {
 // A line of titles and a line a run: index,file,algorithm,grid_offset,points,true_segments,
 // found_segments, a column a measure, milliseconds. Scenes that could not be tried are left out.
 [[nodiscard]] std::string csv_of(const TrialResult& result);
-
-// The file appears whole or not at all (replace_file). Throws std::runtime_error.
-void write_text(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace cleave::client

@@ -79,8 +79,9 @@ Method method_named(const std::string& name, const std::vector<std::string>& set
   const std::string thesis_prefix = "thesis-";
   if (is_algorithm(name)) return ours(name, name, {}, settings);
   if (name == "thesis") return ours(name, "ssc", segmentation::thesis(), settings);
-  if (name.starts_with(thesis_prefix) && is_algorithm(name.substr(thesis_prefix.size()))) {
-    return ours(name, name.substr(thesis_prefix.size()), segmentation::thesis(), settings);
+  const std::string behind_prefix = name.substr(std::min(name.size(), thesis_prefix.size()));
+  if (name.starts_with(thesis_prefix) && behind_prefix != "ssc" && is_algorithm(behind_prefix)) {
+    return ours(name, behind_prefix, segmentation::thesis(), settings);
   }
   if (name == "lccp") {
     return {name, [](float) { return peers::make_pcl_lccp(); }, false};
@@ -99,7 +100,7 @@ std::string method_names() {
   std::string with_values_of_thesis;
   for (const std::string& name : algorithms()) {
     ours += name + ", ";
-    with_values_of_thesis += "thesis-" + name + ", ";
+    if (name != "ssc") with_values_of_thesis += "thesis-" + name + ", ";
   }
   return ours + "thesis, " + with_values_of_thesis + "lccp, lccp-tuned, cpc";
 }

@@ -148,7 +148,8 @@ std::size_t TrialResult::skipped() const {
 std::string text_of(const TrialResult& result) {
   std::string text =
       result.methods.size() == 1 ? scenes_table(result) : comparison_of_scenes(result);
-  text += fmt::format("\n{} scenes", result.scenes.size() - result.skipped());
+  const std::size_t tried = result.scenes.size() - result.skipped();
+  text += fmt::format("\n{} scene{}", tried, tried == 1 ? "" : "s");
   if (result.skipped() > 0) text += fmt::format(", {} skipped", result.skipped());
   text += ":\n" + methods_table(result, {0, result.scenes.size() - 1});
   for (const Group& group : result.groups) {

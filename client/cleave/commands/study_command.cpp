@@ -1,0 +1,138 @@
+#include "cleave/commands/study_command.hpp"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cleave/cloud/option_setter.hpp"
+#include "cleave/cloud/pcd_folder.hpp"
+#include "cleave/cloud/replace_file.hpp"
+#include "cleave/commands/segmentation_options.hpp"
+#include "cleave/commands/trial_run.hpp"
+#include "cleave/console/table.hpp"
+#include "cleave/studies/plot.hpp"
+#include "cleave/studies/rendered_scenes.hpp"
+#include "cleave/trials/measures.hpp"
+
+namespace cleave::client {
+namespace {
+
+struct StudyOptions {
+  std::string name;
+  std::vector<std::string> paths;  // empty = rendered scenes
+  std::string output = "studies";
+  std::uint32_t scenes = 20;
+  std::uint32_t jobs = 1;
+  std::vector<std::string> settings;
+};
+
+std::vector<Method> checked_methods(const Study& study, const StudyOptions& options) {
+  try {
+    return methods_of(study, options.settings);
+  } catch (const OptionError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+std::vector<std::filesystem::path> scenes_of(const StudyOptions& options) {
+  if (!options.paths.empty()) return pcd_files(options.paths);
+  return rendered_scenes(std::filesystem::path(options.output) / "scenes", options.scenes);
+}
+
+std::vector<StudyPoint> points_of(const Study& study, const std::vector<Scene>& scenes) {
+  std::vector<StudyPoint> points;
+  for (std::size_t i = 0; i < study.x.size(); ++i) {
+    const Sample sample = sample_of(scenes, i);
+    points.push_back({study.x[i], sample.mean_of("under_segmentation"),
+                      sample.mean_of("over_segmentation"), sample.mean_of("weighted_covering"),
+                      sample.mean_of("unweighted_covering")});
+  }
+  return points;
+}
+
+std::string table_of(const Study& study, const std::vector<StudyPoint>& points) {
+  Table table({{study.x_label, Align::right},
+               {"under", Align::right},
+               {"over", Align::right},
+               {"weighted covering", Align::right},
+               {"unweighted", Align::right}});
+  for (const StudyPoint& p : points) {
+    table.add_row({fmt::format("{}", p.x), fmt::format("{:.2f}", p.under),
+                   fmt::format("{:.2f}", p.over), fmt::format("{:.4f}", p.weighted),
+                   fmt::format("{:.4f}", p.unweighted)});
+  }
+  return table.to_string();
+}
+
+int run(const StudyOptions& options) {
+  const Study& study = *find_study(options.name);
+  const TrialPlan plan{.methods = checked_methods(study, options), .jobs = options.jobs};
+  make_folder(options.output);
+  const std::vector<Scene> scenes = try_and_warn(plan, scenes_of(options));
+  const std::vector<StudyPoint> points = points_of(study, scenes);
+  std::cout << table_of(study, points);
+
+  const auto file = std::filesystem::path(options.output) / study.name;
+  const auto with_ending = [&file](const char* ending) { return file.string() + ending; };
+  const auto tried = std::ranges::count_if(scenes, &Scene::tried);
+  replace_file(with_ending(".dat"), data_of(study, points, static_cast<std::size_t>(tried)));
+  replace_file(with_ending(".gnuplot"), script_of(study, points));
+  draw(with_ending(".gnuplot"));
+  std::cout << fmt::format("\nFigure {} of the thesis on {} scenes: {}.svg, .png and .dat\n",
+                           study.figure, tried, file.string());
+  return tried == std::ssize(scenes) ? exit_done : exit_failed;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const Study& study : studies()) names.push_back(study.name);
+  return names;
+}
+
+constexpr char explanation[] =
+    "One option varies, all else is as in the thesis. Means over all scenes are printed as a\n"
+    "table, and drawn with gnuplot into DIR/NAME.svg and .png, with the data in NAME.dat and the\n"
+    "commands of the plot in NAME.gnuplot. Without PATH, the scenes are crowded ones, rendered\n"
+    "into DIR/scenes with seeds that nothing is tuned on; they are kept for the next study.\n"
+    "  cannot-link-threshold   Figure 5.9\n"
+    "  eigenvectors-single     Figure 5.11: one decomposition of the whole graph\n"
+    "  eigenvectors-recursive  Figure 5.12: parts are decomposed anew\n"
+    "  cannot-link-weight      Figure 5.13: constrained SSC\n"
+    "\n"
+    "Examples:\n"
+    "  cleave study cannot-link-threshold\n"
+    "  cleave study eigenvectors-single recordings --output figures --jobs 4\n"
+    "  cleave study cannot-link-weight --scenes 100 --set voxel.size_m=0.006\n"
+    "\n"
+    "Exit codes: 0 done, 1 failed or a scene had to be skipped, 2 wrong usage.\n";
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command =
+      app.add_subcommand("study", "The thesis's parameter studies anew, drawn with gnuplot");
+  command->add_option("NAME", options->name, study_names())
+      ->required()
+      ->check(CLI::IsMember(names()));
+  command->add_option("PATH", options->paths,
+                      "labelled PCD files, or folders of them; none: rendered scenes");
+  command->add_option("--output", options->output, "folder for what is drawn and rendered")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--scenes", options->scenes, "so many rendered scenes")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "scenes at a time; the results are the same")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  add_set_option(*command, options->settings);
+  command->footer(explanation);
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace cleave::client
