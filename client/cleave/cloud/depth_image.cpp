@@ -9,9 +9,6 @@ namespace {
 
 using segmentation::CloudView;
 
-constexpr std::uint32_t projection_width = 640;
-constexpr std::uint32_t projection_height = 480;
-
 bool is_finite(const float* p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
@@ -57,7 +54,8 @@ float pull_back_of(const CloudView& cloud, const std::vector<std::size_t>& finit
   return distance_m - nearest;
 }
 
-Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& finite) {
+Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& finite,
+                    ImageSize size) {
   Pinhole pinhole;
   pinhole.pull_back_m = pull_back_of(cloud, finite);
   std::vector<float> columns;
@@ -71,31 +69,36 @@ Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& fini
   const Range v = robust_range(std::move(rows));
   constexpr float filled = 0.9F;  // of the image, the rest is margin
   constexpr float smallest = 1e-6F;
-  pinhole.scale = filled * std::min(projection_width / std::max(u.length(), smallest),
-                                    projection_height / std::max(v.length(), smallest));
-  pinhole.centre_column = projection_width / 2.0F - pinhole.scale * (u.low + u.high) / 2;
-  pinhole.centre_row = projection_height / 2.0F - pinhole.scale * (v.low + v.high) / 2;
+  const auto width = static_cast<float>(size.width);
+  const auto height = static_cast<float>(size.height);
+  pinhole.scale = filled * std::min(width / std::max(u.length(), smallest),
+                                    height / std::max(v.length(), smallest));
+  pinhole.centre_column = width / 2 - pinhole.scale * (u.low + u.high) / 2;
+  pinhole.centre_row = height / 2 - pinhole.scale * (v.low + v.high) / 2;
   return pinhole;
 }
 
 // Edge of the square that a point paints: as large as the points are apart, 5 pixels at most.
-int splat_edge(std::size_t points) {
-  constexpr double pixels = double{projection_width} * projection_height;
+int splat_edge(std::size_t points, ImageSize size) {
+  const double pixels = double{size.width} * size.height;
   return std::clamp(static_cast<int>(std::sqrt(pixels / static_cast<double>(points))), 1, 5);
 }
 
 void paint(DepthImage& image, float column, float row, int edge, float depth_m,
            std::uint16_t label) {
   // Compared as floats first: a stray point may lie further out than an int can say.
-  if (!(column > -8 && column < projection_width + 8 && row > -8 && row < projection_height + 8)) {
+  const auto width = static_cast<int>(image.width);
+  const auto height = static_cast<int>(image.height);
+  if (!(column > -8 && column < static_cast<float>(width + 8) && row > -8 &&
+        row < static_cast<float>(height + 8))) {
     return;
   }
   const int left = static_cast<int>(std::lround(column)) - edge / 2;
   const int top = static_cast<int>(std::lround(row)) - edge / 2;
-  for (int y = std::max(top, 0); y < std::min(top + edge, int{projection_height}); ++y) {
-    for (int x = std::max(left, 0); x < std::min(left + edge, int{projection_width}); ++x) {
+  for (int y = std::max(top, 0); y < std::min(top + edge, height); ++y) {
+    for (int x = std::max(left, 0); x < std::min(left + edge, width); ++x) {
       const std::size_t pixel =
-          static_cast<std::size_t>(y) * projection_width + static_cast<std::size_t>(x);
+          static_cast<std::size_t>(y) * image.width + static_cast<std::size_t>(x);
       if (image.depth_m[pixel] <= depth_m) continue;  // false where nothing is painted yet: NaN
       image.depth_m[pixel] = depth_m;
       image.label[pixel] = label;
@@ -103,15 +106,15 @@ void paint(DepthImage& image, float column, float row, int edge, float depth_m,
   }
 }
 
-DepthImage project(const CloudView& cloud, std::span<const std::uint16_t> labels) {
-  DepthImage image = blank(projection_width, projection_height);
+DepthImage project(const CloudView& cloud, std::span<const std::uint16_t> labels, ImageSize size) {
+  DepthImage image = blank(size.width, size.height);
   std::vector<std::size_t> finite;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (is_finite(cloud.point(i))) finite.push_back(i);
   }
   if (finite.empty()) return image;
-  const Pinhole pinhole = fit_pinhole(cloud, finite);
-  const int edge = splat_edge(finite.size());
+  const Pinhole pinhole = fit_pinhole(cloud, finite, size);
+  const int edge = splat_edge(finite.size(), size);
   for (const std::size_t i : finite) {
     const float* p = cloud.point(i);
     const float depth_m = p[2] + pinhole.pull_back_m;
@@ -123,8 +126,9 @@ DepthImage project(const CloudView& cloud, std::span<const std::uint16_t> labels
 
 }  // namespace
 
-DepthImage depth_image(const CloudView& cloud, std::span<const std::uint16_t> labels) {
-  if (!cloud.organised()) return project(cloud, labels);
+DepthImage depth_image(const CloudView& cloud, std::span<const std::uint16_t> labels,
+                       ImageSize projected) {
+  if (!cloud.organised()) return project(cloud, labels, projected);
   DepthImage image = blank(cloud.width, cloud.height);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!is_finite(cloud.point(i))) continue;
@@ -132,6 +136,13 @@ DepthImage depth_image(const CloudView& cloud, std::span<const std::uint16_t> la
     image.label[i] = labels[i];
   }
   return image;
+}
+
+ImageSize filled_size(std::size_t points) {
+  constexpr double columns_a_row = 4.0 / 3;
+  const double rows = std::sqrt(static_cast<double>(points) / 2 / columns_a_row);
+  const auto whole = [](double value) { return static_cast<std::uint32_t>(std::ceil(value)); };
+  return {std::max(1U, whole(rows * columns_a_row)), std::max(1U, whole(rows))};
 }
 
 }  // namespace cleave::client

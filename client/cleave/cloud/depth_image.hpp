@@ -16,10 +16,19 @@ struct DepthImage {
   std::vector<std::uint16_t> label;  // 0 = no segment
 };
 
-// An organised cloud pixel by pixel. An unorganised one is projected onto 640 x 480 by a pinhole
-// fitted to its extent: the nearest point wins, and sparse clouds get a few pixels a point.
-// `labels` has one value a point. Deterministic.
+struct ImageSize {
+  std::uint32_t width = 640;
+  std::uint32_t height = 480;
+};
+
+// An organised cloud pixel by pixel. An unorganised one is projected onto an image of `projected`
+// by a pinhole fitted to its extent: the nearest point wins, and sparse clouds get a few pixels a
+// point. `labels` has one value a point. Deterministic.
 [[nodiscard]] DepthImage depth_image(const segmentation::CloudView& cloud,
-                                     std::span<const std::uint16_t> labels);
+                                     std::span<const std::uint16_t> labels,
+                                     ImageSize projected = {});
+
+// Half as many pixels as points, so that hardly one between two neighbours stays empty.
+[[nodiscard]] ImageSize filled_size(std::size_t points);
 
 }  // namespace cleave::client

@@ -144,7 +144,8 @@ void add_evaluate_command(CLI::App& app, Action& action) {
   command->add_option("--csv", options->csv, "a line a run, for spreadsheets")->type_name("FILE");
   command
       ->add_option("--pictures", options->pictures,
-                   "a PNG a scene: input, truth, results, differences in green and red")
+                   "a PNG a scene: input and truth, then a row an algorithm: result, difference "
+                   "(green, red)")
       ->type_name("DIR");
   command->add_flag("--json", options->json,
                     "one JSON object: weighted_covering.mean, .., milliseconds.median, "

@@ -88,8 +88,9 @@ BoundaryScore judge_boundaries(const LabelledCloud& cloud, std::span<const std::
                             boundary_tolerance_px(cloud.width, cloud.height));
   }
   const PairedLabels paired = pair_labels(cloud.label, found);
-  const auto truth = client::depth_image(cloud.view(), paired.truth);
-  const auto result = client::depth_image(cloud.view(), paired.found);
+  const client::ImageSize size = client::filled_size(cloud.size());
+  const auto truth = client::depth_image(cloud.view(), paired.truth, size);
+  const auto result = client::depth_image(cloud.view(), paired.found, size);
   return judge_boundaries(truth.width,
                           std::vector<std::uint32_t>(truth.label.begin(), truth.label.end()),
                           result.label, boundary_tolerance_px(truth.width, truth.height));

@@ -28,7 +28,7 @@ struct BoundaryScore {
                                              std::uint32_t tolerance_px);
 
 // The same for a labelled cloud, with the tolerance above. A cloud that is no image is projected
-// onto one first (depth_image), where the nearest point counts.
+// onto one first (depth_image, filled_size), where the nearest point counts.
 [[nodiscard]] BoundaryScore judge_boundaries(const LabelledCloud& cloud,
                                              std::span<const std::uint16_t> found);
 

@@ -68,6 +68,7 @@ class Trial {
     if (threads > 0) all_runs_ = scenes_.size() * runners.front().size();
     {
       std::vector<std::jthread> workers;
+      workers.reserve(runners.size());
       for (auto& own : runners) workers.emplace_back([this, &own] { work(own); });
     }
     if (failure_) std::rethrow_exception(failure_);

@@ -62,6 +62,14 @@ TEST(LiveLine, PrintsPlainLinesElsewhere) {
   EXPECT_EQ(out.str(), "first\nsecond\n");
 }
 
+TEST(Spread, IsMeanMinAndMaxAndZeroOfNothing) {
+  const Spread values = spread({2, -1, 5});
+  EXPECT_DOUBLE_EQ(values.mean, 2);
+  EXPECT_DOUBLE_EQ(values.min, -1);
+  EXPECT_DOUBLE_EQ(values.max, 5);
+  EXPECT_DOUBLE_EQ(spread({}).mean, 0);
+}
+
 TEST(ProgressBar, IsSilentWhereThereIsNoTerminal) {
   std::ostringstream out;
   { ProgressBar(out, 0).show(5, 10); }

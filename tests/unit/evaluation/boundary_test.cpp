@@ -75,5 +75,40 @@ TEST(BoundaryTolerance, IsEightThousandthsOfTheDiagonal) {
   EXPECT_EQ(boundary_tolerance_px(10, 10), 1U);
 }
 
+// A plane of 64 x 48 points at 1 m, its left half one segment.
+LabelledCloud two_halves() {
+  LabelledCloud cloud{.width = 64, .height = 48, .xyz = {}, .label = {}};
+  for (int row = 0; row < 48; ++row) {
+    for (int column = 0; column < 64; ++column) {
+      cloud.xyz.insert(cloud.xyz.end(), {0.01F * static_cast<float>(column - 32),
+                                         0.01F * static_cast<float>(row - 24), 1.0F});
+      cloud.label.push_back(column < 32 ? 4 : 9);
+    }
+  }
+  return cloud;
+}
+
+TEST(JudgeBoundaries, JudgesACloudThatIsNoImageByItsProjection) {
+  LabelledCloud cloud = two_halves();
+  std::vector<std::uint16_t> right(cloud.label.begin(), cloud.label.end());
+  const std::vector<std::uint16_t> merged(cloud.size(), 1);
+  cloud.width *= cloud.height;
+  cloud.height = 1;
+
+  EXPECT_DOUBLE_EQ(judge_boundaries(cloud, right).f, 1);
+  EXPECT_DOUBLE_EQ(judge_boundaries(cloud, merged).f, 0);
+  for (std::size_t i = 0; i < right.size(); ++i) right[i] = i % 64 < 42 ? 1 : 2;  // far beside it
+  EXPECT_LT(judge_boundaries(cloud, right).f, 0.2);
+}
+
+TEST(JudgeBoundaries, JudgesAnImageAsItIs) {
+  const LabelledCloud cloud = two_halves();
+  std::vector<std::uint16_t> found(cloud.label.begin(), cloud.label.end());
+
+  EXPECT_DOUBLE_EQ(judge_boundaries(cloud, found).f, 1);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = i % 64 < 35 ? 1 : 2;
+  EXPECT_DOUBLE_EQ(judge_boundaries(cloud, found).f, 0) << "1 pixel is near, 3 are not";
+}
+
 }  // namespace
 }  // namespace cleave::evaluation
