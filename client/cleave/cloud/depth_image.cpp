@@ -80,7 +80,7 @@ Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& fini
 
 // Edge of the square that a point paints: as large as the points are apart, 5 pixels at most.
 int splat_edge(std::size_t points, ImageSize size) {
-  const double pixels = double{size.width} * size.height;
+  const double pixels = static_cast<double>(size.width) * size.height;
   return std::clamp(static_cast<int>(std::sqrt(pixels / static_cast<double>(points))), 1, 5);
 }
 

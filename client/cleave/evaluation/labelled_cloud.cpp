@@ -1,6 +1,9 @@
 #include "cleave/evaluation/labelled_cloud.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "cleave/cloud/pcd_cloud.hpp"
 
@@ -16,6 +19,20 @@ LabelledCloud load_cloud(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < cloud.label.size(); ++i) {
     const float* p = view.point(i);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) cloud.label[i] = 0;
+  }
+  return cloud;
+}
+
+LabelledCloud load_labelled_cloud(const std::filesystem::path& file) {
+  LabelledCloud cloud = load_cloud(file);
+  if (!cloud.labelled()) {
+    throw std::runtime_error(file.string() +
+                             ": has no field label (uint32), so nothing can be judged by it");
+  }
+  if (std::ranges::all_of(cloud.label, [](std::uint32_t label) { return label == 0; })) {
+    throw std::runtime_error(file.string() +
+                             ": no finite point has a label other than 0, so nothing can be "
+                             "judged by it");
   }
   return cloud;
 }

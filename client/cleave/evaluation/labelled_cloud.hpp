@@ -25,4 +25,8 @@ struct LabelledCloud {
 // with it.
 [[nodiscard]] LabelledCloud load_cloud(const std::filesystem::path& file);
 
+// The same for a cloud that something is to be judged by: a file without labels, or without one on
+// a finite point, is refused as well. Throws std::runtime_error.
+[[nodiscard]] LabelledCloud load_labelled_cloud(const std::filesystem::path& file);
+
 }  // namespace cleave::evaluation

@@ -27,6 +27,19 @@ double right_begin(const std::vector<StudyPoint>& points) {
   return std::max(0.0, std::floor(least * 10 - 0.5) / 10);
 }
 
+// Draws the macro `plots` into both files.
+std::string output_of(const std::string& name) {
+  return fmt::format(
+      R"(set terminal svg size 800,480 background rgb 'white'
+set output '{0}.svg'
+@plots
+set terminal pngcairo size 1200,720 font 'sans,16'
+set output '{0}.png'
+@plots
+)",
+      name);
+}
+
 }  // namespace
 
 std::string data_of(const Study& study, const std::vector<StudyPoint>& points, std::size_t scenes) {
@@ -43,7 +56,7 @@ std::string data_of(const Study& study, const std::vector<StudyPoint>& points, s
 
 std::string script_of(const Study& study, const std::vector<StudyPoint>& points) {
   return fmt::format(
-      R"(set title '{title}'
+             R"(set title '{title}'
 set xlabel '{x_label}'
 set ylabel 'segments'
 set y2label 'covering'
@@ -61,17 +74,31 @@ plots = "plot '{name}.dat' using 1:3 with filledcurves y1=0 lc rgb '#9ecae1' tit
   '' using 1:2 with filledcurves y1=0 lc rgb '#2171b5' title 'under-segmentation', \
   '' using 1:4 axes x1y2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#cb181d' title 'weighted covering', \
   '' using 1:5 axes x1y2 with linespoints lw 2 pt 7 ps 0.5 lc rgb '#238b45' title 'unweighted covering'"
-set terminal svg size 800,480 background rgb 'white'
-set output '{name}.svg'
-@plots
-set terminal pngcairo size 1200,720 font 'sans,16'
-set output '{name}.png'
-@plots
 )",
-      fmt::arg("title", study.title), fmt::arg("x_label", study.x_label),
-      fmt::arg("x_first", points.front().x), fmt::arg("x_last", points.back().x),
-      fmt::arg("left_end", left_end(points)), fmt::arg("right_begin", right_begin(points)),
-      fmt::arg("name", study.name));
+             fmt::arg("title", study.title), fmt::arg("x_label", study.x_label),
+             fmt::arg("x_first", points.front().x), fmt::arg("x_last", points.back().x),
+             fmt::arg("left_end", left_end(points)), fmt::arg("right_begin", right_begin(points)),
+             fmt::arg("name", study.name)) +
+         output_of(study.name);
+}
+
+std::string histogram_script(const std::string& name) {
+  return fmt::format(
+             R"(set title 'Cuts along eigenvectors'
+set xlabel 'eigenvector'
+set ylabel 'cuts'
+set xtics nomirror
+set ytics nomirror
+set key bottom center outside horizontal maxrows 1
+set bmargin 6
+set style data histograms
+set style histogram clustered gap 1
+set style fill solid 0.9 noborder
+plots = "plot '{0}.dat' using 2:xtic(1) lc rgb '#cb181d' title 'simple scenes', \
+  '' using 3 lc rgb '#2171b5' title 'complex scenes'"
+)",
+             name) +
+         output_of(name);
 }
 
 void draw(const std::filesystem::path& script) {

@@ -27,6 +27,10 @@ struct StudyPoint {
 // all in the folder in which gnuplot runs.
 [[nodiscard]] std::string script_of(const Study& study, const std::vector<StudyPoint>& points);
 
+// Figure 5.10: two histograms side by side from NAME.dat, whose columns are the eigenvector and the
+// cuts along it in simple and in complex scenes.
+[[nodiscard]] std::string histogram_script(const std::string& name);
+
 // Runs gnuplot on a script in its folder. Throws std::runtime_error where it is not there, with the
 // package to install, or where it fails.
 void draw(const std::filesystem::path& script);

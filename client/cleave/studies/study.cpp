@@ -57,12 +57,6 @@ const std::vector<Study>& studies() {
   return all;
 }
 
-std::string study_names() {
-  std::string names;
-  for (const Study& study : studies()) names += (names.empty() ? "" : ", ") + study.name;
-  return names;
-}
-
 const Study* find_study(std::string_view name) {
   const auto found = std::ranges::find(studies(), name, &Study::name);
   return found == studies().end() ? nullptr : &*found;

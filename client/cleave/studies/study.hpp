@@ -22,8 +22,6 @@ struct Study {
 };
 
 [[nodiscard]] const std::vector<Study>& studies();
-// Their names, a comma between two.
-[[nodiscard]] std::string study_names();
 // nullptr where there is none of this name.
 [[nodiscard]] const Study* find_study(std::string_view name);
 

@@ -37,20 +37,6 @@ std::vector<Runner> make_runners(const TrialPlan& plan) {
   return runners;
 }
 
-LabelledCloud load_scene(const std::filesystem::path& file) {
-  LabelledCloud cloud = evaluation::load_cloud(file);
-  if (!cloud.labelled()) {
-    throw std::runtime_error(file.string() +
-                             ": has no field label (uint32), so nothing can be judged by it");
-  }
-  if (std::ranges::all_of(cloud.label, [](std::uint32_t label) { return label == 0; })) {
-    throw std::runtime_error(file.string() +
-                             ": no finite point has a label other than 0, so nothing can be "
-                             "judged by it");
-  }
-  return cloud;
-}
-
 // What all threads share. The mutex guards done_ and failure_, and lets one thread at a time tell
 // of progress; a scene is written by the one thread that has taken its index.
 class Trial {
@@ -94,7 +80,7 @@ class Trial {
     Scene& scene = scenes_[index];
     LabelledCloud cloud;
     try {
-      cloud = load_scene(scene.file);
+      cloud = evaluation::load_labelled_cloud(scene.file);
     } catch (const std::runtime_error& error) {
       scene.problem = error.what();
       add_done(runners.size());

@@ -49,6 +49,16 @@ TEST(StudyCommand, WritesDataAndPlotsOfAnyLabelledFolder) {
   }
 }
 
+TEST(StudyCommand, CountsTheEigenvectorsThatTrueCutsNeed) {
+  const LabelledFolder scenes;
+  const TemporaryFolder folder;
+
+  EXPECT_EQ(run_study({"eigenvectors-used", scenes.path(), "--output", folder.path()}), exit_done);
+
+  EXPECT_NE(read_file(folder.path() / "eigenvectors-used.dat").find("\n1 "), std::string::npos);
+  EXPECT_EQ(read_file(folder.path() / "eigenvectors-used.png").substr(1, 3), "PNG");
+}
+
 TEST(StudyCommand, KeepsTheDataWhereGnuplotIsMissingAndSaysWhatToInstall) {
   const LabelledFolder scenes;
   const TemporaryFolder folder;
@@ -71,11 +81,11 @@ TEST(StudyCommand, RefusesWrongUsage) {
 TEST(RenderedScenes, AreMadeOnceAndKept) {
   const TemporaryFolder folder;
 
-  const auto files = rendered_scenes(folder.path() / "scenes", 2);
+  const auto files = rendered_scenes(folder.path() / "scenes", "medium", 2);
   ASSERT_EQ(files.size(), 2U);
   const auto written = std::filesystem::last_write_time(files[0]);
 
-  EXPECT_EQ(rendered_scenes(folder.path() / "scenes", 2), files);
+  EXPECT_EQ(rendered_scenes(folder.path() / "scenes", "medium", 2), files);
   EXPECT_EQ(std::filesystem::last_write_time(files[0]), written);
   EXPECT_TRUE(std::filesystem::exists(files[1]));
 }
