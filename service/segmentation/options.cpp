@@ -14,6 +14,7 @@ Options thesis() {
   options.supervoxel.min_seed_voxels = 1;
   options.supervoxel.refit_from_points = false;
   options.graph.weight_sigma = 10;
+  options.graph.validity_max_rad = 57 * degree_rad;
   options.graph.validity_offset_rad = 33 * degree_rad;
   options.graph.cannot_link_rad = 45 * degree_rad;
   options.graph.soft_cannot_link_rad = 45 * degree_rad;

@@ -55,13 +55,13 @@ struct GraphOptions {
   WeightFunction weight = WeightFunction::inverse_quadratic;
   // eq. 4.3: of the inverse quadratic a factor, of the Gaussian a divisor (0.1 is a good one).
   float weight_sigma = 80;
-  float validity_max_rad = 0.9948F;     // eq. 4.5: 57 deg
+  float validity_max_rad = 0.9F;        // eq. 4.5: 52 deg
   float validity_offset_rad = 0.6632F;  // eq. 4.5: 38 deg
   float validity_slope = 17.19F;        // eq. 4.5: 0.3 a degree, here a radian
   float cannot_link_rad = 0.6981F;      // eq. 4.7: 40 deg
   // Soft constraints: from this concave angle to cannot_link_rad an edge is cannot-link in part,
   // linearly from nothing to whole. The same or more: eq. 4.7 alone.
-  float soft_cannot_link_rad = 0.36F;
+  float soft_cannot_link_rad = 0.35F;
   // Edges between patches that lie almost parallel are invalid if one is off the other's plane by
   // more than this at 1 m, growing with the distance squared as the sensor's noise does; 0: never.
   float max_step_m = 0.0045F;
@@ -95,7 +95,7 @@ struct ConvexComponentsOptions {
 struct CleanUpOptions {
   // Neighbours whose common border gives no reason to part them join: see BorderJoiner.
   bool join_across_borders = true;
-  std::uint32_t min_segment_points = 150;  // smaller segments join a neighbour; 0 = off
+  std::uint32_t min_segment_points = 145;  // smaller segments join a neighbour; 0 = off
   // Smaller segments, and pairs of which both have fewer than four times as many points, join
   // across a weak border: one that is cannot-link along little of its length; 0 = off.
   std::uint32_t weak_border_points = 500;

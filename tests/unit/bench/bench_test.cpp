@@ -58,7 +58,7 @@ TEST(Bench, HasTheKeysThatProgramsReadWhetherOrNotThereIsATruth) {
 
 TEST(Bench, FindsARunThatWentBadlyWrongWhereTheThesisDoesNot) {
   segmentation::Options broken;
-  broken.graph.cannot_link_rad = broken.graph.soft_cannot_link_rad = 1.57F;  // cuts nothing
+  broken.clean_up.min_segment_points = 1000000;  // joins everything
   evaluation::LabelledCloud scene = tests::render_touching_boxes();
   for (std::size_t i = 0; i < scene.size(); ++i) {
     if (scene.label[i] == 1 && i % 8 != 0) scene.label[i] = 0;  // the table is not all that counts
