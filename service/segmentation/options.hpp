@@ -68,7 +68,7 @@ struct GraphOptions {
 };
 
 struct PartitionOptions {
-  std::uint32_t eigenvectors = 7;  // k of Algorithm 1, the constant one not counted
+  std::uint32_t eigenvectors = 8;  // k of Algorithm 1, the constant one not counted
   float utility_threshold = 0.5F;  // Algorithm 1, line 13
   Decomposition decomposition = Decomposition::recursive;
   Laplacian laplacian = Laplacian::unnormalised;
@@ -77,7 +77,7 @@ struct PartitionOptions {
   float cannot_link_weight = 1;
   // Each joins up to half of the supervoxels with a neighbour on the same smooth surface before
   // the graph is cut.
-  std::uint32_t coarsening_rounds = 2;
+  std::uint32_t coarsening_rounds = 3;
 };
 
 // Spectral Voxel Clustering (section 4.2). The thesis gives no numbers; these are measured.
