@@ -12,7 +12,7 @@ void silence_pcl() {
 
 PclCloud::Ptr to_pcl(const segmentation::CloudView& cloud) {
   // Not `new`: PCL's library would give it back by another `delete` than this standard's.
-  const auto result = std::make_shared<PclCloud>(cloud.width, cloud.height);
+  auto result = std::make_shared<PclCloud>(cloud.width, cloud.height);
   result->is_dense = false;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const float* p = cloud.point(i);
