@@ -68,9 +68,11 @@ float step_m(const Surfel& i, const Surfel& j) {
 bool is_step(const Surfel& i, const Surfel& j, const GraphOptions& options) {
   if (!(options.max_step_m > 0)) return false;
   const float depth_m = (i.position.z() + j.position.z()) / 2;
+  const float off_m = step_m(i, j) - options.max_step_m * depth_m * depth_m;
+  if (!(off_m > 0)) return false;
   const float sine_of_half_angle = std::sqrt((1 - cos_angle(i, j)) / 2);
   const float by_crease_m = sine_of_half_angle * (j.position - i.position).norm() / 2;
-  return step_m(i, j) > options.max_step_m * depth_m * depth_m + by_crease_m;
+  return off_m > by_crease_m;
 }
 
 float cannot_link_share(float beta_rad, const GraphOptions& options) {

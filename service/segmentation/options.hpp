@@ -77,7 +77,7 @@ struct PartitionOptions {
   float cannot_link_weight = 1;
   // Each joins up to half of the supervoxels with a neighbour on the same smooth surface before
   // the graph is cut.
-  std::uint32_t coarsening_rounds = 3;
+  std::uint32_t coarsening_rounds = 4;
 };
 
 // Spectral Voxel Clustering (section 4.2). The thesis gives no numbers; these are measured.

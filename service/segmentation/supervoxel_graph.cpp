@@ -11,6 +11,7 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                             const std::vector<Surfel>& supervoxels, const GraphOptions& options,
                             std::vector<SupervoxelEdge>& edges) {
   const float least_weight = cannot_link_weight(options);
+  const auto straight = static_cast<float>(portable::cos(options.soft_cannot_link_rad));
   edges.clear();
   for (const AdjacentPair& pair : pairs) {
     const Surfel& i = supervoxels[pair.first];
@@ -24,7 +25,7 @@ void build_supervoxel_graph(const std::vector<AdjacentPair>& pairs,
                            .valid = is_valid(i, j, options) && !is_step(i, j, options)};
     if (edge.weight < least_weight) {
       edge.cannot_link_share = 1;
-    } else if (!edge.convex) {
+    } else if (!edge.convex && edge.cosine < straight) {
       const auto beta_rad =
           static_cast<float>(portable::acos(std::clamp(edge.cosine, -1.0F, 1.0F)));
       edge.cannot_link_share = cannot_link_share(beta_rad, options);
