@@ -1,10 +1,13 @@
 # One place for how every target of ours is compiled.
 set(CLEAVE_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
 
+# With paths relative to the checkout, what one checkout compiled serves every other.
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
-  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+    ${CMAKE_COMMAND} -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "${CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")
+  add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
 endif()
 
 # cleave_compile_options(target): C++20, warnings as errors, and floating point that gives the

@@ -12,8 +12,6 @@ endmacro()
 
 cleave_find(CycloneDDS cyclonedds-dev)
 cleave_find(Eigen3 libeigen3-dev 3.4)
-set(spectra_DIR /usr/share/spectra/cmake CACHE PATH "Where Debian puts it")
-cleave_find(spectra libspectra-dev)
 cleave_find(yaml-cpp libyaml-cpp-dev 0.7)
 cleave_find(spdlog libspdlog-dev)
 cleave_find(CLI11 libcli11-dev)
