@@ -4,10 +4,11 @@ set(CLEAVE_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,u
 # With paths relative to the checkout, what one checkout compiled serves every other.
 find_program(CCACHE ccache)
 if(CCACHE)
+  cmake_path(SET checkout NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../..")
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "${CCACHE}")
+    ${CMAKE_COMMAND} -E env "CCACHE_BASEDIR=${checkout}" "${CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")
-  add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}=.")
+  add_compile_options("-ffile-prefix-map=${checkout}=.")
 endif()
 
 # cleave_compile_options(target): C++20, warnings as errors, and floating point that gives the
@@ -18,6 +19,11 @@ function(cleave_compile_options target)
   # -Wrestrict is wrong about std::string's operator+ in GCC 12 (GCC bug 105651).
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wconversion -Werror -Wno-restrict -ffp-contract=off)
+  # Sources that are compiled a dozen at a time: what stands in a nameless namespace is nobody else's
+  # all the same.
+  if(CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
   if(CLEAVE_SANITIZE)
     target_compile_options(${target} PUBLIC
       -fsanitize=${CLEAVE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
