@@ -5,11 +5,12 @@
 #include <limits>
 #include <numeric>
 
+#include "segmentation/no_index.hpp"
+
 namespace cleave::segmentation {
 namespace {
 
 constexpr float min_cosine = 0.98481F;  // 10 deg
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 bool is_smooth(const SupervoxelEdge& edge) {
   return edge.valid && !edge.is_cannot_link() && edge.cosine > min_cosine;
@@ -39,7 +40,7 @@ void GraphCoarsener::match(const std::vector<SupervoxelEdge>& edges) {
 
 std::uint32_t GraphCoarsener::number_vertices() {
   std::uint32_t count = 0;
-  vertex_.assign(parent_.size(), none);
+  vertex_.assign(parent_.size(), no_index);
   for (std::uint32_t s = 0; s < parent_.size(); ++s) {
     const std::uint32_t r = root(s);
     if (r == s) vertex_[s] = count++;

@@ -8,6 +8,7 @@
 
 #include "segmentation/cell_path.hpp"
 #include "segmentation/coarse_graph.hpp"
+#include "segmentation/no_index.hpp"
 #include "segmentation/option_checks.hpp"
 #include "segmentation/spectral_cuts.hpp"
 #include "segmentation/supervoxel_graph.hpp"
@@ -16,16 +17,14 @@
 namespace cleave::segmentation {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-// The supervoxel of every point; none where nothing was measured. `path` has gathered the cloud and
-// labelled it, each supervoxel as a segment of its own. Paths write 16 bits: supervoxels are
+// The supervoxel of every point; no_index where nothing was measured. `path` has gathered the cloud
+// and labelled it, each supervoxel as a segment of its own. Paths write 16 bits: supervoxels are
 // written in turns.
 template <class Path>
 std::vector<std::uint32_t> supervoxel_of_point(const Path& path, std::size_t points,
                                                std::size_t supervoxels) {
   constexpr std::size_t a_turn = std::numeric_limits<std::uint16_t>::max();
-  std::vector<std::uint32_t> supervoxel(points, none);
+  std::vector<std::uint32_t> supervoxel(points, no_index);
   std::vector<std::uint16_t> written(points);
   for (std::size_t first = 0; first < supervoxels; first += a_turn) {
     std::vector<std::uint16_t> label(supervoxels, 0);
@@ -60,7 +59,7 @@ std::vector<std::uint32_t> object_of_supervoxel(std::span<const std::uint32_t> o
                                                 std::size_t supervoxels) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // supervoxel and object
   for (std::size_t p = 0; p < object.size(); ++p) {
-    if (supervoxel_of_point[p] == none || object[p] == 0) continue;
+    if (supervoxel_of_point[p] == no_index || object[p] == 0) continue;
     members.emplace_back(supervoxel_of_point[p], object[p]);
   }
   std::sort(members.begin(), members.end());

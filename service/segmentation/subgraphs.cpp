@@ -4,10 +4,10 @@
 #include <limits>
 #include <numeric>
 
+#include "segmentation/no_index.hpp"
+
 namespace cleave::segmentation {
-namespace {
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-}
+namespace {}
 
 void SubgraphStore::reset(std::uint32_t vertices, std::span<const CutEdge> edges,
                           std::vector<Subgraph>& parts) {
@@ -78,7 +78,7 @@ void SubgraphStore::find_components(const Subgraph& graph, std::size_t first_par
                                     std::vector<Subgraph>& parts) {
   for (const std::uint32_t v : vertices(graph)) {
     parent_[v] = v;
-    component_[v] = none;
+    component_[v] = no_index;
   }
   for (const CutEdge& e : edges(graph)) {
     const std::uint32_t a = root(e.first);
@@ -87,7 +87,7 @@ void SubgraphStore::find_components(const Subgraph& graph, std::size_t first_par
   }
   for (const std::uint32_t v : vertices(graph)) {
     std::uint32_t& number = component_[root(v)];
-    if (number == none) {
+    if (number == no_index) {
       number = static_cast<std::uint32_t>(parts.size() - first_part);
       parts.emplace_back();
     }

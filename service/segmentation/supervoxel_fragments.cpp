@@ -2,26 +2,27 @@
 
 #include <limits>
 
+#include "segmentation/no_index.hpp"
+
 namespace cleave::segmentation {
 namespace {
 constexpr std::uint32_t min_own_supervoxel = 3;  // voxels
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 }  // namespace
 
 void FragmentMender::find_pieces(const NeighbourLists& neighbours,
                                  const std::vector<std::uint32_t>& owner) {
   pieces_.clear();
   member_.clear();
-  piece_of_voxel_.assign(owner.size(), none);
+  piece_of_voxel_.assign(owner.size(), no_index);
   for (std::uint32_t v = 0; v < owner.size(); ++v) {
-    if (piece_of_voxel_[v] != none) continue;
+    if (piece_of_voxel_[v] != no_index) continue;
     const auto piece = static_cast<std::uint32_t>(pieces_.size());
     const auto begin = static_cast<std::uint32_t>(member_.size());
     piece_of_voxel_[v] = piece;
     member_.push_back(v);
     for (std::size_t next = begin; next < member_.size(); ++next) {
       for (const std::uint32_t u : neighbours[member_[next]]) {
-        if (piece_of_voxel_[u] != none || owner[u] != owner[v]) continue;
+        if (piece_of_voxel_[u] != no_index || owner[u] != owner[v]) continue;
         piece_of_voxel_[u] = piece;
         member_.push_back(u);
       }
@@ -36,10 +37,10 @@ void FragmentMender::find_pieces(const NeighbourLists& neighbours,
 
 void FragmentMender::decide_who_stays(std::size_t owners) {
   const auto size = [](const Piece& piece) { return piece.end - piece.begin; };
-  largest_piece_.assign(owners, none);
+  largest_piece_.assign(owners, no_index);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
     std::uint32_t& largest = largest_piece_[pieces_[p].owner];
-    if (largest == none || size(pieces_[p]) > size(pieces_[largest])) largest = p;
+    if (largest == no_index || size(pieces_[p]) > size(pieces_[largest])) largest = p;
   }
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
     pieces_[p].stays =
@@ -79,11 +80,11 @@ std::uint32_t FragmentMender::mend(const std::vector<Surfel>& voxels,
   }
 
   std::uint32_t count = 0;
-  number_.assign(pieces_.size(), none);
+  number_.assign(pieces_.size(), no_index);
   supervoxel_of_voxel.resize(owner.size());
   for (std::size_t v = 0; v < owner.size(); ++v) {
     std::uint32_t& number = number_[pieces_[piece_of_voxel_[v]].joins];
-    if (number == none) number = count++;
+    if (number == no_index) number = count++;
     supervoxel_of_voxel[v] = number;
   }
   return count;

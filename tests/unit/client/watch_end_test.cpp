@@ -13,41 +13,41 @@ namespace {
 using std::chrono_literals::operator""ms;
 using std::chrono_literals::operator""s;
 
-const SteadyTime start{std::chrono::hours(1)};
+const SteadyTime watch_start{std::chrono::hours(1)};
 
 TEST(EndCondition, ComesAfterTheSegmentListsThatWereAskedFor) {
   const FrameAccount account("camera");
-  EndCondition condition(2, start);
-  condition.add_segment_list(start);
-  EXPECT_EQ(condition.check(account, start), std::nullopt);
-  condition.add_segment_list(start);
-  EXPECT_EQ(condition.check(account, start), WatchEnd::frames_reached);
+  EndCondition condition(2, watch_start);
+  condition.add_segment_list(watch_start);
+  EXPECT_EQ(condition.check(account, watch_start), std::nullopt);
+  condition.add_segment_list(watch_start);
+  EXPECT_EQ(condition.check(account, watch_start), WatchEnd::frames_reached);
 }
 
 TEST(EndCondition, ComesWhenTheSourceHasEndedAndEveryFrameIsAccountedFor) {
   FrameAccount account("camera");
-  const EndCondition condition(std::nullopt, start);
-  account.add_report(grabber(NodeState::ended, 3), start);
-  account.add_report(segmenter({.out = 2}), start);
-  EXPECT_EQ(condition.check(account, start + 500ms), std::nullopt);
-  account.add_report(segmenter({.out = 3}), start + 500ms);
-  EXPECT_EQ(condition.check(account, start + 800ms), WatchEnd::source_ended);
+  const EndCondition condition(std::nullopt, watch_start);
+  account.add_report(grabber(NodeState::ended, 3), watch_start);
+  account.add_report(segmenter({.out = 2}), watch_start);
+  EXPECT_EQ(condition.check(account, watch_start + 500ms), std::nullopt);
+  account.add_report(segmenter({.out = 3}), watch_start + 500ms);
+  EXPECT_EQ(condition.check(account, watch_start + 800ms), WatchEnd::source_ended);
 }
 
 TEST(EndCondition, ComesWhenNothingArrivesForHalfAMinute) {
   const FrameAccount account("camera");
-  EndCondition condition(std::nullopt, start);
-  EXPECT_EQ(condition.check(account, start + 29s), std::nullopt);
-  condition.add_segment_list(start + 29s);
-  EXPECT_EQ(condition.check(account, start + 31s), std::nullopt);
-  EXPECT_EQ(condition.check(account, start + 59s), WatchEnd::nothing_arrives);
+  EndCondition condition(std::nullopt, watch_start);
+  EXPECT_EQ(condition.check(account, watch_start + 29s), std::nullopt);
+  condition.add_segment_list(watch_start + 29s);
+  EXPECT_EQ(condition.check(account, watch_start + 31s), std::nullopt);
+  EXPECT_EQ(condition.check(account, watch_start + 59s), WatchEnd::nothing_arrives);
 }
 
 TEST(WhyNothingArrives, NamesWhoIsMissing) {
   FrameAccount account("camera");
   EXPECT_NE(why_nothing_arrives(account, "camera", 7).find("on domain 7: neither a grabber nor"),
             std::string::npos);
-  account.add_report(segmenter({}), start);
+  account.add_report(segmenter({}), watch_start);
   EXPECT_NE(why_nothing_arrives(account, "camera", 0).find("no grabber answers"),
             std::string::npos);
 }
@@ -56,7 +56,7 @@ TEST(WhyNothingArrives, PassesOnWhatTheNodesSay) {
   FrameAccount account("camera");
   NodeReport report = grabber(NodeState::source_lost, 12);
   report.last_error = "unplugged";
-  account.add_report(report, start);
+  account.add_report(report, watch_start);
   const std::string why = why_nothing_arrives(account, "camera", 0);
   EXPECT_NE(why.find("grabber/camera says 'source lost'"), std::string::npos);
   EXPECT_NE(why.find("unplugged"), std::string::npos);

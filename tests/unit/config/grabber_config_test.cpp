@@ -7,7 +7,7 @@
 namespace cleave::config {
 namespace {
 
-std::string message(const std::string& content) {
+std::string grabber_message(const std::string& content) {
   return message_for(content, [](const auto& path) { (void)load_grabber_config(path); });
 }
 
@@ -55,32 +55,32 @@ TEST(GrabberConfig, ReadsEveryKey) {
 
 TEST(GrabberConfig, RefusesASensorNameThatIsTooLong) {
   const std::string name(64, 'a');
-  EXPECT_EQ(message("sensor: " + name + "\n"),
+  EXPECT_EQ(grabber_message("sensor: " + name + "\n"),
             "file:1: sensor: expected a sensor name of 1 to 63 letters, digits or '_' (it is "
             "part of topic names), found '" +
                 name + "'");
-  EXPECT_EQ(message("sensor: " + std::string(63, 'a') + "\n"), "");
+  EXPECT_EQ(grabber_message("sensor: " + std::string(63, 'a') + "\n"), "");
 }
 
 TEST(GrabberConfig, RefusesASensorNameThatCannotBePartOfATopic) {
-  EXPECT_NE(message("sensor: left/camera\n"), "");
-  EXPECT_NE(message("sensor: \"\"\n"), "");
+  EXPECT_NE(grabber_message("sensor: left/camera\n"), "");
+  EXPECT_NE(grabber_message("sensor: \"\"\n"), "");
 }
 
 TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
-  EXPECT_EQ(message("video:\n  width: 1280\n  height: 1024\n"),
+  EXPECT_EQ(grabber_message("video:\n  width: 1280\n  height: 1024\n"),
             "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, found "
             "'1024'");
 }
 
 TEST(GrabberConfig, RefusesADomainOutOfRange) {
-  EXPECT_EQ(message("stream:\n  domain: 100\n"),
+  EXPECT_EQ(grabber_message("stream:\n  domain: 100\n"),
             "file:2: stream.domain: expected a whole number from 0 to 99, found '100'");
 }
 
 TEST(GrabberConfig, RefusesAnInterfaceThatWouldBreakTheConfigurationOfDds) {
-  EXPECT_NE(message("stream: {public_interface: 'lo\"/><x'}\n"), "");
-  EXPECT_NE(message("stream: {public_interface: ''}\n"), "");
+  EXPECT_NE(grabber_message("stream: {public_interface: 'lo\"/><x'}\n"), "");
+  EXPECT_NE(grabber_message("stream: {public_interface: ''}\n"), "");
 }
 
 TEST(GrabberConfig, DerivesTheCoordinateFrameFromTheSensor) {

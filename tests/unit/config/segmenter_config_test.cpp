@@ -7,7 +7,7 @@
 namespace cleave::config {
 namespace {
 
-std::string message(const std::string& content) {
+std::string segmenter_message(const std::string& content) {
   return message_for(content, [](const auto& path) {
     Section file = Section::load(path);
     (void)read_segmenter_config(file);
@@ -40,16 +40,17 @@ TEST(SegmenterConfig, LeavesTheSegmentationToItsCaller) {
 }
 
 TEST(SegmenterConfig, RefusesSensorsThatAreNoneOrTwice) {
-  EXPECT_EQ(message("sensors: []\n"),
+  EXPECT_EQ(segmenter_message("sensors: []\n"),
             "file:1: sensors: expected at least one sensor, found a list");
-  EXPECT_NE(message("sensors: [left, left]\n").find("'left' twice"), std::string::npos);
-  EXPECT_NE(message("sensors: [left, 'a b']\n").find("'a b'"), std::string::npos);
+  EXPECT_NE(segmenter_message("sensors: [left, left]\n").find("'left' twice"), std::string::npos);
+  EXPECT_NE(segmenter_message("sensors: [left, 'a b']\n").find("'a b'"), std::string::npos);
 }
 
 TEST(SegmenterConfig, RefusesCountsOutOfRange) {
-  EXPECT_EQ(message("workers: 17\n"),
+  EXPECT_EQ(segmenter_message("workers: 17\n"),
             "file:1: workers: expected a whole number from 0 to 6, found '17'");
-  EXPECT_EQ(message("queue: 0\n"), "file:1: queue: expected a whole number from 1 to 8, found '0'");
+  EXPECT_EQ(segmenter_message("queue: 0\n"),
+            "file:1: queue: expected a whole number from 1 to 8, found '0'");
 }
 
 TEST(SegmenterConfig, LeavesOneCoreToTheRestOfTheSystem) {

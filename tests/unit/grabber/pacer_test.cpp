@@ -8,46 +8,46 @@ namespace cleave::sensor {
 namespace {
 
 using std::chrono::milliseconds;
-const Pacer::Clock::time_point start = Pacer::Clock::time_point() + std::chrono::hours(1);
+const Pacer::Clock::time_point pacer_start = Pacer::Clock::time_point() + std::chrono::hours(1);
 
 TEST(Pacer, LetsTheFirstFrameThroughAtOnce) {
-  EXPECT_EQ(Pacer(10).until_due(start), milliseconds(0));
+  EXPECT_EQ(Pacer(10).until_due(pacer_start), milliseconds(0));
 }
 
 TEST(Pacer, SpacesFramesByThePeriod) {
   Pacer pacer(10);
-  pacer.advance(start);
-  EXPECT_EQ(pacer.until_due(start), milliseconds(100));
-  EXPECT_EQ(pacer.until_due(start + milliseconds(60)), milliseconds(40));
-  EXPECT_EQ(pacer.until_due(start + milliseconds(130)), milliseconds(0));
+  pacer.advance(pacer_start);
+  EXPECT_EQ(pacer.until_due(pacer_start), milliseconds(100));
+  EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(60)), milliseconds(40));
+  EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(130)), milliseconds(0));
 }
 
 TEST(Pacer, KeepsTheTimingOfARecording) {
   Pacer pacer(10);
-  pacer.advance(start, milliseconds(40));
-  EXPECT_EQ(pacer.until_due(start), milliseconds(40));
-  pacer.advance(start + milliseconds(40), milliseconds(250));
-  EXPECT_EQ(pacer.until_due(start + milliseconds(40)), milliseconds(250));
+  pacer.advance(pacer_start, milliseconds(40));
+  EXPECT_EQ(pacer.until_due(pacer_start), milliseconds(40));
+  pacer.advance(pacer_start + milliseconds(40), milliseconds(250));
+  EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(40)), milliseconds(250));
 }
 
 TEST(Pacer, MakesUpForLatenessOfLessThanAPeriod) {
   Pacer pacer(10);
-  pacer.advance(start);
-  pacer.advance(start + milliseconds(130));
-  EXPECT_EQ(pacer.until_due(start + milliseconds(130)), milliseconds(70));
+  pacer.advance(pacer_start);
+  pacer.advance(pacer_start + milliseconds(130));
+  EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(130)), milliseconds(70));
 }
 
 TEST(Pacer, BeginsAnewAfterAPauseWithoutABurst) {
   Pacer pacer(10);
-  pacer.advance(start);
-  pacer.advance(start + milliseconds(5000));
-  EXPECT_EQ(pacer.until_due(start + milliseconds(5000)), milliseconds(100));
+  pacer.advance(pacer_start);
+  pacer.advance(pacer_start + milliseconds(5000));
+  EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(5000)), milliseconds(100));
 }
 
 TEST(Backoff, DoublesItsWaitUpToTwoSeconds) {
   Backoff backoff;
-  auto now = start;
-  backoff.start(now);
+  auto now = pacer_start;
+  backoff.pacer_start(now);
   for (const int wait_ms : {100, 200, 400, 800, 1600, 2000, 2000}) {
     EXPECT_FALSE(backoff.due(now + milliseconds(wait_ms - 1)));
     now += milliseconds(wait_ms);

@@ -44,7 +44,7 @@ Outcome play(const TestFile& file) {
   return outcome;
 }
 
-OniFile example(std::uint32_t which) {
+OniFile whole_file(std::uint32_t which) {
   OniFile file;
   file.codec = std::vector<std::string>{"16zT", "16zP", "NONE"}.at(which % 3);
   file.wide = which % 2 == 0;
@@ -83,7 +83,7 @@ TEST(DamagedOni, AThousandMutatedFilesGiveAClearErrorOrTheirIntactFrames) {
   const TestFile file("");
   std::size_t frames = 0, refused = 0;
   for (std::uint32_t i = 0; i < 1000; ++i) {
-    file.write(mutate(example(i % 12).bytes(), random));
+    file.write(mutate(whole_file(i % 12).bytes(), random));
     const Outcome outcome = play(file);
     frames += outcome.frames.size();
     if (!outcome.error.empty()) ++refused;
@@ -98,7 +98,7 @@ TEST(DamagedOni, TwoHundredTruncatedFilesGiveEveryWholeFrame) {
   std::mt19937 random(7);
   const TestFile file("");
   for (std::uint32_t i = 0; i < 200; ++i) {
-    const OniFile source = example(i % 12);
+    const OniFile source = whole_file(i % 12);
     std::vector<std::size_t> starts;
     const std::string whole = source.bytes(&starts);
     const std::size_t length = random() % whole.size();
@@ -115,7 +115,7 @@ TEST(DamagedOni, TwoHundredTruncatedFilesGiveEveryWholeFrame) {
 }
 
 TEST(DamagedOni, AFileOfNothingButRecordStartsIsPassedOverInTime) {
-  std::string content = example(0).bytes();
+  std::string content = whole_file(0).bytes();
   for (int i = 0; i < 500'000; ++i) content.append("NIR\0", 4);
   const TestFile file(content);
   EXPECT_EQ(play(file).frames.size(), 4U);

@@ -10,7 +10,7 @@ namespace {
 using test::OniFile;
 using test::TestFile;
 
-OniFile example(std::uint32_t frames = 5) {
+OniFile readable_file(std::uint32_t frames = 5) {
   OniFile file;
   for (std::uint32_t i = 0; i < frames; ++i) {
     file.frames.push_back(test::example_image(file.width, file.height, i));
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> intact(const OniFile& source, const std::string& cont
 TEST(OniReader, GivesBackEveryFrameOfEveryCodecPixelForPixel) {
   for (const char* const codec : {"16zT", "16zP", "NONE"}) {
     for (const bool wide : {true, false}) {
-      OniFile source = example();
+      OniFile source = readable_file();
       source.codec = codec;
       source.wide = wide;
       const TestFile file(source.bytes());
@@ -67,7 +67,7 @@ TEST(OniReader, GivesBackEveryFrameOfEveryCodecPixelForPixel) {
 }
 
 TEST(OniReader, TellsSizeUnitFieldsOfViewAndMirroring) {
-  OniFile source = example(1);
+  OniFile source = readable_file(1);
   {
     const TestFile file(source.bytes());
     const DepthStream stream = Reader(file.path()).stream();
@@ -105,7 +105,7 @@ TEST(OniReader, TellsWhereACroppedImageWasInTheSensors) {
 }
 
 TEST(OniReader, PlaysARecordingWhoseRecorderWasKilled) {
-  OniFile source = example();
+  OniFile source = readable_file();
   source.with_end = false;
   const TestFile file(source.bytes());
   const Reader reader(file.path());
@@ -114,7 +114,7 @@ TEST(OniReader, PlaysARecordingWhoseRecorderWasKilled) {
 }
 
 TEST(OniReader, GivesAllWholeFramesOfAFileThatIsCutShort) {
-  const OniFile source = example();
+  const OniFile source = readable_file();
   std::vector<std::size_t> starts;
   const std::string content = source.bytes(&starts);
   const std::string cut = content.substr(0, starts[3] + 50);
@@ -124,7 +124,7 @@ TEST(OniReader, GivesAllWholeFramesOfAFileThatIsCutShort) {
 }
 
 TEST(OniReader, LosesOnlyTheFrameWhoseRecordIsDamaged) {
-  const OniFile source = example();
+  const OniFile source = readable_file();
   std::vector<std::size_t> starts;
   const std::string whole = source.bytes(&starts);
   for (const std::size_t byte : {0U, 2U, 5U, 13U, 18U}) {  // magic, type, sizes of the third frame
@@ -141,7 +141,7 @@ TEST(OniReader, LosesOnlyTheFrameWhoseRecordIsDamaged) {
 }
 
 TEST(OniReader, SaysWhichFrameIsDamaged) {
-  const OniFile source = example();
+  const OniFile source = readable_file();
   std::vector<std::size_t> starts;
   std::string content = source.bytes(&starts);
   content[starts[1] + 28 + 12] = '\xff';  // more entries in the table than bytes in the frame
@@ -159,17 +159,18 @@ TEST(OniReader, RefusesWhatIsNoDepthRecordingAndSaysWhy) {
   EXPECT_NE(refusal("").find("not an .oni file"), std::string::npos);
   EXPECT_NE(refusal("NI10").find("ends in its header"), std::string::npos);
   EXPECT_NE(refusal(std::string(1000, 'x')).find("not an .oni file"), std::string::npos);
-  EXPECT_NE(refusal(example().bytes().substr(0, 24)).find("no depth stream"), std::string::npos);
-  OniFile colour = example();
+  EXPECT_NE(refusal(readable_file().bytes().substr(0, 24)).find("no depth stream"),
+            std::string::npos);
+  OniFile colour = readable_file();
   colour.depth_node_type = 3;
   EXPECT_NE(refusal(colour.bytes()).find("no depth stream"), std::string::npos);
-  OniFile jpeg = example();
+  OniFile jpeg = readable_file();
   jpeg.codec = "JPEG";
   EXPECT_NE(refusal(jpeg.bytes()).find("'JPEG'"), std::string::npos);
-  OniFile shift = example();
+  OniFile shift = readable_file();
   shift.pixel_format = 102;
   EXPECT_NE(refusal(shift.bytes()).find("pixel format 102"), std::string::npos);
-  OniFile huge = example();
+  OniFile huge = readable_file();
   huge.width = 1'000'000;
   EXPECT_NE(refusal(huge.bytes()).find("1000000 x 12"), std::string::npos);
 }

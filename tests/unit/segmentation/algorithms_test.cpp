@@ -3,18 +3,10 @@
 
 #include <set>
 
-#include "depth_scene.hpp"
-#include "segmentation/segmenter.hpp"
+#include "scene_labels.hpp"
 
 namespace cleave::segmentation {
 namespace {
-
-std::vector<std::uint16_t> labels_of(Segmenter& segmenter, const DepthScene& scene) {
-  std::vector<std::uint16_t> labels(scene.view().size());
-  Segmentation result;
-  EXPECT_EQ(segmenter.segment(scene.view(), labels, result), Outcome::segmented);
-  return labels;
-}
 
 class EveryAlgorithm : public testing::TestWithParam<Algorithm> {};
 

@@ -15,23 +15,24 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float denormal = std::numeric_limits<float>::denorm_min();
 
-struct Result {
+struct DegenerateResult {
   Outcome outcome;
   std::vector<std::uint16_t> labels;
   Segmentation segmentation;
 };
 
-Result segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t height,
-               const Options& options = {}) {
+DegenerateResult segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t height,
+                         const Options& options = {}) {
   Segmenter segmenter(options);
-  Result result;
+  DegenerateResult result;
   result.labels.assign(std::size_t{width} * height, 77);
   result.outcome =
       segmenter.segment({xyz.data(), 3, width, height}, result.labels, result.segmentation);
   return result;
 }
 
-void expect_only_finite_points_labelled(const std::vector<float>& xyz, const Result& result) {
+void expect_only_finite_points_labelled(const std::vector<float>& xyz,
+                                        const DegenerateResult& result) {
   ASSERT_EQ(result.outcome, Outcome::segmented);
   std::size_t counted = 0;
   for (std::size_t i = 0; i < result.labels.size(); ++i) {
@@ -50,14 +51,15 @@ void expect_only_finite_points_labelled(const std::vector<float>& xyz, const Res
 }
 
 TEST(SegmenterOnDegenerateClouds, RefusesAnEmptyOne) {
-  const Result result = segment({}, 0, 0);
+  const DegenerateResult result = segment({}, 0, 0);
 
   EXPECT_EQ(result.outcome, Outcome::no_finite_point);
   EXPECT_TRUE(result.segmentation.segments.empty());
 }
 
 TEST(SegmenterOnDegenerateClouds, RefusesOneWithoutAFinitePoint) {
-  const Result result = segment({nan, nan, nan, 0, infinity, 1, 0, 0, -infinity, 1, nan, 1}, 2, 2);
+  const DegenerateResult result =
+      segment({nan, nan, nan, 0, infinity, 1, 0, 0, -infinity, 1, nan, 1}, 2, 2);
 
   EXPECT_EQ(result.outcome, Outcome::no_finite_point);
   EXPECT_EQ(result.labels, std::vector<std::uint16_t>(4, 0));
@@ -76,7 +78,7 @@ TEST(SegmenterOnDegenerateClouds, RefusesSizesThatDisagree) {
 }
 
 TEST(SegmenterOnDegenerateClouds, LabelsASinglePoint) {
-  const Result result = segment({0.1F, 0.2F, 1}, 1, 1);
+  const DegenerateResult result = segment({0.1F, 0.2F, 1}, 1, 1);
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   EXPECT_EQ(result.labels, std::vector<std::uint16_t>{1});
@@ -85,7 +87,7 @@ TEST(SegmenterOnDegenerateClouds, LabelsASinglePoint) {
 }
 
 TEST(SegmenterOnDegenerateClouds, SeparatesTwoPointsThatAreFarApart) {
-  const Result result = segment({0, 0, 1, 5, 0, 1}, 2, 1);
+  const DegenerateResult result = segment({0, 0, 1, 5, 0, 1}, 2, 1);
 
   EXPECT_EQ(result.labels, (std::vector<std::uint16_t>{1, 2}));
 }
@@ -94,7 +96,7 @@ TEST(SegmenterOnDegenerateClouds, MakesIdenticalPointsOneSegment) {
   std::vector<float> xyz;
   for (int i = 0; i < 300; ++i) xyz.insert(xyz.end(), {0.5F, -0.5F, 2});
 
-  const Result result = segment(xyz, 20, 15);
+  const DegenerateResult result = segment(xyz, 20, 15);
 
   expect_only_finite_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 1U);
@@ -161,7 +163,7 @@ TEST(SegmenterOnDegenerateClouds, LetsTheSmallestOfTooManySegmentsShareALabel) {
     xyz.insert(xyz.end(), {static_cast<float>(i % 300), static_cast<float>(i / 300), -1});
   }
 
-  const Result result = segment(xyz, 70000, 1);
+  const DegenerateResult result = segment(xyz, 70000, 1);
 
   expect_only_finite_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 65535U);
