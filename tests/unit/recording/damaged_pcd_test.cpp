@@ -23,20 +23,27 @@ void expect_points_or_an_error(const std::filesystem::path& file, const std::str
 
 // 20 points with padding and fields of many kinds, in one encoding.
 std::string small_file(const std::string& encoding) {
-  PcdText pcd{"x _ y stamp z ring", "4 1 8 8 4 2", "F U F U F I", "1 3 1 2 1 1", "5", "4"};
-  pcd.points = "20";
-  pcd.data = "";
+  PcdText pcd = {"x _ y stamp z ring",
+                 "4 1 8 8 4 2",
+                 "F U F U F I",
+                 "1 3 1 2 1 1",
+                 "5",
+                 "4",
+                 "0 0 0 1 0 0 0",
+                 "20",
+                 encoding,
+                 ""};
   for (int i = 0; i < 20; ++i) pcd.data += std::to_string(i) + " 0 0 0 0.5 77 78 1e-1 -5\n";
   if (encoding == "ascii") return to_file(pcd);
-  const TestFolder folder;
-  PcdCloud cloud = PcdCloud::read(folder.write("ascii.pcd", to_file(pcd)));
-  if (encoding == "binary_compressed") {
-    write_pcd(folder.path() / "compressed.pcd", cloud);
-    return read_text(folder.path() / "compressed.pcd");
+  if (encoding == "binary") {
+    pcd.data = std::string(std::size_t{20} * 37, 'a');
+    return to_file(pcd);
   }
-  pcd.encoding = "binary";
-  pcd.data = std::string(20 * 37, 'a');
-  return to_file(pcd);
+  pcd.encoding = "ascii";
+  const TestFolder folder;
+  const PcdCloud cloud = PcdCloud::read(folder.write("ascii.pcd", to_file(pcd)));
+  write_pcd(folder.path() / "compressed.pcd", cloud);
+  return read_text(folder.path() / "compressed.pcd");
 }
 
 class DamagedPcd : public testing::TestWithParam<const char*> {};

@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes random_bytes(std::mt19937& random, std::size_t size, unsigned kinds) {
+Bytes random_bytes(std::mt19937& random, std::size_t size, std::size_t kinds) {
   Bytes bytes(size);
   for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() % kinds);
   return bytes;

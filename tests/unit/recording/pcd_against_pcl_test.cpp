@@ -90,7 +90,7 @@ class AgainstPcl : public testing::TestWithParam<int> {
   // x, y, z among other fields, in any order, of any kind.
   static PcdText random_text(std::mt19937& random) {
     std::vector<std::string> names = {"x", "y", "z"};
-    for (unsigned i = 0, more = random() % 5; i < more; ++i) {
+    for (std::size_t i = 0, more = random() % 5; i < more; ++i) {
       names.push_back(random() % 3 == 0 ? "_" : "f" + std::to_string(i));
     }
     std::shuffle(names.begin(), names.end(), random);
