@@ -5,6 +5,8 @@
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -75,7 +77,8 @@ class AgainstPcl : public testing::TestWithParam<int> {
     std::ostringstream text;
     text.precision(17);
     const std::uint64_t bits = std::uint64_t{random()} << 32U | random();
-    const unsigned shift = 64 - 8 * kind.size;
+    // Of whole numbers in text, PCL 1.13 reads all but a file's first by way of a double.
+    const unsigned shift = std::max(64 - 8 * kind.size, 12U);
     if (kind.type == 'U') text << (bits >> shift);
     if (kind.type == 'I') text << (static_cast<std::int64_t>(bits) >> shift);
     if (kind.type == 'F') {
