@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "recording/pcd/error.hpp"
+#include "sensor/source.hpp"
+
 namespace cleave::sensor {
 
 PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop, std::size_t cache_bytes)
@@ -52,7 +55,7 @@ void PcdLoader::run() {
 std::size_t PcdLoader::pass(bool is_first) {
   std::size_t handed_over = 0;
   for (auto file = files_.begin(); file != files_.end();) {
-    std::shared_ptr<const PointCloud> cloud = load(*file);
+    std::shared_ptr<const StreamCloud> cloud = load(*file);
     if (cloud == nullptr) {
       file = files_.erase(file);
       continue;
@@ -64,22 +67,35 @@ std::size_t PcdLoader::pass(bool is_first) {
   return handed_over;
 }
 
-std::shared_ptr<const PointCloud> PcdLoader::load(File& file) {
+std::shared_ptr<const StreamCloud> PcdLoader::load(File& file) {
   if (file.cached) return file.cached;
-  std::variant<PointCloud, PcdProblem> read = read_pcd(file.path);
-  if (const auto* const problem = std::get_if<PcdProblem>(&read)) {
-    spdlog::warn("skipped {}: {}: {}", file.path.string(), problem->cause, problem->detail);
+  std::shared_ptr<const StreamCloud> cloud;
+  try {
+    cloud = std::make_shared<const StreamCloud>(
+        recording::read_stream_cloud(file.path, capacity_points));
+  } catch (const recording::PcdError& error) {
+    spdlog::warn("skipped {} ({})", error.what(), name_of(error.cause()));
     const std::lock_guard lock(mutex_);
-    ++unusable_[problem->cause];
+    ++unusable_[name_of(error.cause())];
     return nullptr;
   }
-  auto cloud = std::make_shared<const PointCloud>(std::get<PointCloud>(std::move(read)));
+  note_origin(file, *cloud);
   const std::size_t bytes = cloud->xyz.size() * sizeof(float);
   if (bytes <= cache_left_bytes_) {
     cache_left_bytes_ -= bytes;
     file.cached = cloud;
   }
   return cloud;
+}
+
+void PcdLoader::note_origin(const File& file, const StreamCloud& cloud) {
+  const auto& [x, y, z] = cloud.origin;
+  if (has_noted_origin_ || (x == 0 && y == 0 && z == 0)) return;
+  has_noted_origin_ = true;
+  spdlog::warn(
+      "{}: its points are too far from zero for the stream's floats; they are published relative "
+      "to {} {} {}, and those of further such files relative to a place near their own middle",
+      file.path.string(), x, y, z);
 }
 
 bool PcdLoader::hand_over(LoadedCloud loaded) {

@@ -12,12 +12,14 @@
 #include <thread>
 #include <vector>
 
-#include "sensor/pcd_reader.hpp"
+#include "recording/pcd/stream_cloud.hpp"
 
 namespace cleave::sensor {
 
+using recording::StreamCloud;
+
 struct LoadedCloud {
-  std::shared_ptr<const PointCloud> cloud;
+  std::shared_ptr<const StreamCloud> cloud;
   bool begins_loop;  // the first one of a second or later pass
 };
 
@@ -25,7 +27,8 @@ class PcdLoader {
  public:
   // Unusable files are named in the log with the reason, counted, and not tried again. With `loop`
   // the files are read over and over, as long as one is usable; as many as fit into `cache_bytes`
-  // stay decoded in memory.
+  // stay decoded in memory. A cloud that is relative to an origin is named in the log, the first
+  // one.
   PcdLoader(std::vector<std::filesystem::path> files, bool loop,
             std::size_t cache_bytes = std::size_t{512} << 20U);
   ~PcdLoader();
@@ -41,16 +44,18 @@ class PcdLoader {
  private:
   struct File {
     std::filesystem::path path;
-    std::shared_ptr<const PointCloud> cached;
+    std::shared_ptr<const StreamCloud> cached;
   };
   void run();
   std::size_t pass(bool is_first);  // clouds handed over
-  std::shared_ptr<const PointCloud> load(File& file);
+  std::shared_ptr<const StreamCloud> load(File& file);
+  void note_origin(const File& file, const StreamCloud& cloud);
   bool hand_over(LoadedCloud loaded);  // false: asked to stop
 
   bool loop_;
   std::size_t cache_left_bytes_;
-  std::vector<File> files_;  // of the thread
+  std::vector<File> files_;        // of the thread
+  bool has_noted_origin_ = false;  // of the thread
 
   mutable std::mutex mutex_;  // guards all below but the thread
   std::condition_variable changed_;

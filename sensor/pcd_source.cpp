@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "libcleave/types.hpp"
-#include "sensor/pcd_folder.hpp"
+#include "recording/pcd/folder.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -28,7 +28,7 @@ PcdSource::PcdSource(const std::filesystem::path& path, bool loop)
     : path_(std::filesystem::absolute(path)), loop_(loop) {}
 
 Failure PcdSource::open() {
-  const PcdFiles found = list_pcd_files(path_);
+  const recording::PcdFiles found = recording::list_pcd_files(path_);
   if (!found.failure.empty()) {
     return "cannot read point clouds from " + path_.string() + ": " + found.failure;
   }

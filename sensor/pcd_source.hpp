@@ -27,7 +27,7 @@ class PcdSource : public Source {
   bool loop_;
   std::uint64_t other_files_ = 0;
   std::unique_ptr<PcdLoader> loader_;
-  std::shared_ptr<const PointCloud> held_;
+  std::shared_ptr<const StreamCloud> held_;
 };
 
 }  // namespace cleave::sensor

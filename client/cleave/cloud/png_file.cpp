@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cleave/cloud/replace_file.hpp"
+#include "recording/replace_file.hpp"
 
 namespace cleave::client {
 namespace {
@@ -37,7 +37,7 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
                              " pixels cannot be written as PNG: " + image.message);
   }
   encoded.resize(size);
-  replace_file(file, {std::as_bytes(std::span(encoded))});
+  recording::replace_file(file, {std::as_bytes(std::span(encoded))});
 }
 
 }  // namespace cleave::client

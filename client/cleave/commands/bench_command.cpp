@@ -10,10 +10,10 @@
 
 #include "cleave/bench/bench_report.hpp"
 #include "cleave/bench/growth.hpp"
-#include "cleave/cloud/pcd_folder.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/console/progress_bar.hpp"
 #include "cleave/console/terminal.hpp"
+#include "recording/pcd/folder.hpp"
 
 namespace cleave::client {
 namespace {
@@ -40,7 +40,7 @@ BenchPlan plan_of(const BenchOptions& options) {
 // `Measurer`: Bench or Growth. Returns how many files had to be left out.
 template <class Measurer>
 std::size_t measure_all(const BenchOptions& options, Measurer& measurer) {
-  const std::vector<std::filesystem::path> files = pcd_files(options.paths);
+  const std::vector<std::filesystem::path> files = recording::pcd_files(options.paths);
   std::size_t skipped = 0;
   {
     ProgressBar progress(std::cerr, live_columns(STDERR_FILENO));

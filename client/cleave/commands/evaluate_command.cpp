@@ -8,12 +8,12 @@
 #include <stdexcept>
 
 #include "cleave/cloud/option_setter.hpp"
-#include "cleave/cloud/pcd_folder.hpp"
-#include "cleave/cloud/replace_file.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/commands/trial_run.hpp"
 #include "cleave/trials/csv.hpp"
 #include "cleave/trials/report.hpp"
+#include "recording/pcd/folder.hpp"
+#include "recording/replace_file.hpp"
 
 namespace cleave::client {
 namespace {
@@ -46,7 +46,7 @@ std::vector<Method> methods_of(const EvaluateOptions& options) {
 
 // Found out before the work, not behind it.
 void prepare_outputs(const EvaluateOptions& options) {
-  if (!options.pictures.empty()) make_folder(options.pictures);
+  if (!options.pictures.empty()) recording::make_folder(options.pictures);
   if (options.csv.empty()) return;
   const auto folder = std::filesystem::absolute(options.csv).parent_path();
   if (!std::filesystem::is_directory(folder)) {
@@ -68,7 +68,7 @@ TrialResult evaluate(const EvaluateOptions& options) {
                        .grid_offsets = options.grid_offsets,
                        .jobs = options.jobs,
                        .pictures = options.pictures};
-  const auto files = pcd_files(options.paths);
+  const auto files = recording::pcd_files(options.paths);
   TrialResult result;
   result.groups = groups_of(options, files.size());
   for (const Method& method : plan.methods) result.methods.push_back(method.name);
@@ -86,7 +86,7 @@ int run(const EvaluateOptions& options) {
   } else {
     std::cout << text_of(result);
   }
-  if (!options.csv.empty()) replace_file(options.csv, csv_of(result));
+  if (!options.csv.empty()) recording::replace_file(options.csv, csv_of(result));
   return result.skipped() == 0 ? exit_done : exit_failed;
 }
 

@@ -3,18 +3,21 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "cleave/cloud/option_setter.hpp"
-#include "cleave/cloud/pcd_writer.hpp"
+#include "cleave/cloud/pcd_view.hpp"
 #include "cleave/cloud/picture.hpp"
 #include "cleave/cloud/png_file.hpp"
 #include "cleave/cloud/segment_table.hpp"
 #include "cleave/commands/segmentation_options.hpp"
+#include "recording/pcd/writer.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
 namespace {
 
+using recording::PcdCloud;
 using segmentation::Outcome;
 using segmentation::Segmentation;
 
@@ -30,13 +33,13 @@ Segmentation segment(const PcdCloud& cloud, std::vector<std::uint16_t>& labels,
                      const SegmentOptions& options) {
   segmentation::Segmenter segmenter(options_of(options.segmentation));
   Segmentation result;
-  const Outcome outcome = segmenter.segment(cloud.view(), labels, result);
+  const Outcome outcome = segmenter.segment(view_of(cloud), labels, result);
   if (outcome == Outcome::no_finite_point) {
-    throw PcdError(options.input +
-                   ": no point has finite coordinates; there is nothing to segment");
+    throw std::runtime_error(options.input +
+                             ": no point has finite coordinates; there is nothing to segment");
   }
   if (outcome == Outcome::bad_size) {
-    throw PcdError(options.input + ": the segmentation takes no cloud of this size");
+    throw std::runtime_error(options.input + ": the segmentation takes no cloud of this size");
   }
   return result;
 }
@@ -65,7 +68,7 @@ int run(const SegmentOptions& options) {
   cloud.set_labels(labels);
   write_pcd(options.output, cloud);
   if (!options.picture.empty()) {
-    write_png(options.picture, segment_picture(depth_image(cloud.view(), labels)));
+    write_png(options.picture, segment_picture(depth_image(view_of(cloud), labels)));
   }
   print(result, cloud, options);
   return exit_done;

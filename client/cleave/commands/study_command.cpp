@@ -12,8 +12,6 @@
 #include <stdexcept>
 
 #include "cleave/cloud/option_setter.hpp"
-#include "cleave/cloud/pcd_folder.hpp"
-#include "cleave/cloud/replace_file.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/commands/trial_run.hpp"
 #include "cleave/console/progress_bar.hpp"
@@ -23,6 +21,8 @@
 #include "cleave/studies/plot.hpp"
 #include "cleave/studies/rendered_scenes.hpp"
 #include "cleave/trials/measures.hpp"
+#include "recording/pcd/folder.hpp"
+#include "recording/replace_file.hpp"
 
 namespace cleave::client {
 namespace {
@@ -49,7 +49,7 @@ std::filesystem::path scenes_folder(const StudyOptions& options) {
 }
 
 std::vector<std::filesystem::path> scenes_of(const StudyOptions& options) {
-  if (!options.paths.empty()) return pcd_files(options.paths);
+  if (!options.paths.empty()) return recording::pcd_files(options.paths);
   return rendered_scenes(scenes_folder(options), "crowded", options.scenes);
 }
 
@@ -82,8 +82,8 @@ std::string table_of(const Study& study, const std::vector<StudyPoint>& points) 
 void write_figure(const StudyOptions& options, const std::string& figure, const std::string& data,
                   const std::string& script) {
   const auto file = (std::filesystem::path(options.output) / options.name).string();
-  replace_file(file + ".dat", data);
-  replace_file(file + ".gnuplot", script);
+  recording::replace_file(file + ".dat", data);
+  recording::replace_file(file + ".gnuplot", script);
   draw(file + ".gnuplot");
   std::cout << fmt::format("\nFigure {} of the thesis: {}.svg, .png and .dat\n", figure, file);
 }
@@ -91,7 +91,7 @@ void write_figure(const StudyOptions& options, const std::string& figure, const 
 int run_sweep(const StudyOptions& options) {
   const Study& study = *find_study(options.name);
   const TrialPlan plan{.methods = checked_methods(study, options), .jobs = options.jobs};
-  make_folder(options.output);
+  recording::make_folder(options.output);
   const std::vector<Scene> scenes = try_and_warn(plan, scenes_of(options));
   const std::vector<StudyPoint> points = points_of(study, scenes);
   std::cout << table_of(study, points);
@@ -103,7 +103,7 @@ int run_sweep(const StudyOptions& options) {
 
 // Half of them simple, half complex, where the user brings none.
 std::vector<std::filesystem::path> simple_and_complex_scenes(const StudyOptions& options) {
-  if (!options.paths.empty()) return pcd_files(options.paths);
+  if (!options.paths.empty()) return recording::pcd_files(options.paths);
   auto files = rendered_scenes(scenes_folder(options), "simple", (options.scenes + 1) / 2);
   const auto complex = rendered_scenes(scenes_folder(options), "crowded", (options.scenes + 1) / 2);
   files.insert(files.end(), complex.begin(), complex.end());
@@ -113,7 +113,7 @@ std::vector<std::filesystem::path> simple_and_complex_scenes(const StudyOptions&
 int run_eigenvectors_used(const StudyOptions& options) {
   const segmentation::Options segmentation =
       options_of({.thesis = true, .algorithm = "", .settings = options.settings});
-  make_folder(options.output);
+  recording::make_folder(options.output);
   const auto files = simple_and_complex_scenes(options);
   EigenvectorsUsed used(segmentation);
   {

@@ -5,19 +5,18 @@
 #include <stdexcept>
 #include <string>
 
-#include "cleave/cloud/pcd_cloud.hpp"
+#include "recording/pcd/cloud.hpp"
 
 namespace cleave::evaluation {
 
 LabelledCloud load_cloud(const std::filesystem::path& file) {
-  const client::PcdCloud pcd = client::PcdCloud::read(file);
-  const segmentation::CloudView view = pcd.view();
-  LabelledCloud cloud{.width = view.width,
-                      .height = view.height,
-                      .xyz = {view.xyz, view.xyz + view.size() * view.stride},
+  const auto pcd = recording::PcdCloud::read(file);
+  LabelledCloud cloud{.width = pcd.header().width,
+                      .height = pcd.header().height,
+                      .xyz = {pcd.xyz().begin(), pcd.xyz().end()},
                       .label = pcd.labels()};
   for (std::size_t i = 0; i < cloud.label.size(); ++i) {
-    const float* p = view.point(i);
+    const float* p = &cloud.xyz[3 * i];
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) cloud.label[i] = 0;
   }
   return cloud;

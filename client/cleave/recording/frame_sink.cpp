@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cleave/cloud/pcd_writer.hpp"
 #include "recording/frames/frame_writer.hpp"
+#include "recording/pcd/writer.hpp"
 
 namespace cleave::client {
 namespace {
@@ -62,7 +62,7 @@ class PcdSink : public FrameSink {
 
   void write_first(std::span<const std::uint16_t> labels) {
     const recording::Cloud& cloud = waiting_.front();
-    PcdCloud pcd = PcdCloud::of_points(cloud.xyz, cloud.header.width, cloud.header.height);
+    auto pcd = recording::PcdCloud::of_points(cloud.xyz, cloud.header.width, cloud.header.height);
     if (!labels.empty()) pcd.set_labels(labels);
     write_pcd(folder_ / fmt::format("frame_{:06}.pcd", ++written_), pcd);
     waiting_.pop_front();

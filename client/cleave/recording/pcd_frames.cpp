@@ -1,17 +1,14 @@
 // PCD files as frames of a sensor.
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
-#include "cleave/cloud/pcd_cloud.hpp"
-#include "cleave/cloud/pcd_folder.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "libcleave/types.hpp"
-#include "recording/cloud/fit_intrinsics.hpp"
+#include "recording/pcd/error.hpp"
+#include "recording/pcd/folder.hpp"
+#include "recording/pcd/stream_cloud.hpp"
 
 namespace cleave::client {
 namespace {
@@ -20,27 +17,17 @@ namespace {
 // that the same files make the same recording.
 constexpr std::int64_t period_ns = 33'333'333;
 
-// On the stream, a point without a measurement is NaN NaN NaN, whatever a file writes for it.
-std::vector<float> stream_points(const segmentation::CloudView& view) {
-  std::vector<float> xyz(view.xyz, view.xyz + 3 * view.size());
-  for (std::size_t i = 0; i < xyz.size(); i += 3) {
-    if (std::isfinite(xyz[i]) && std::isfinite(xyz[i + 1]) && std::isfinite(xyz[i + 2])) continue;
-    std::fill_n(&xyz[i], 3, std::numeric_limits<float>::quiet_NaN());
-  }
-  return xyz;
-}
-
 class PcdFrames : public FrameSource {
  public:
   PcdFrames(const std::filesystem::path& path, std::string sensor)
-      : files_(pcd_files(path)), sensor_(std::move(sensor)) {}
+      : files_(recording::pcd_files(path)), sensor_(std::move(sensor)) {}
 
   std::optional<recording::Frame> next() override {
     while (next_ < files_.size()) {
       const std::filesystem::path& file = files_[next_++];
       try {
         return read(file);
-      } catch (const PcdError& error) {
+      } catch (const recording::PcdError& error) {
         spdlog::warn("skipped: {}", error.what());
         ++skipped_;
       }
@@ -51,27 +38,33 @@ class PcdFrames : public FrameSource {
 
  private:
   recording::Frame read(const std::filesystem::path& file) {
-    const PcdCloud pcd = PcdCloud::read(file);
-    const segmentation::CloudView view = pcd.view();
-    if (view.size() > capacity_points) {
-      throw PcdError(file.string() + ": has more than 640 x 480 points; sensors of that size only");
-    }
+    recording::StreamCloud pcd = recording::read_stream_cloud(file, capacity_points);
+    note_origin(file, pcd);
     recording::Cloud cloud;
-    cloud.xyz = stream_points(view);
-    const recording::Intrinsics k =
-        recording::fit_intrinsics(cloud.xyz.data(), view.width, view.height);
+    cloud.xyz = std::move(pcd.xyz);
     const std::int64_t time_ns = static_cast<std::int64_t>(frames_) * period_ns;
     cloud.header.frame_id = ++frames_;
     cloud.header.capture_time_ns = time_ns;
-    cloud.header.width = view.width;
-    cloud.header.height = view.height;
-    cloud.header.fx = k.fx;
-    cloud.header.fy = k.fy;
-    cloud.header.cx = k.cx;
-    cloud.header.cy = k.cy;
+    cloud.header.width = pcd.width;
+    cloud.header.height = pcd.height;
+    cloud.header.fx = pcd.intrinsics.fx;
+    cloud.header.fy = pcd.intrinsics.fy;
+    cloud.header.cx = pcd.intrinsics.cx;
+    cloud.header.cy = pcd.intrinsics.cy;
     cloud.header.sensor = sensor_;
     cloud.header.coordinate_frame = sensor_ + "_optical";
     return {time_ns, std::move(cloud)};
+  }
+
+  // Said once: recordings, as the stream, hold floats.
+  void note_origin(const std::filesystem::path& file, const recording::StreamCloud& pcd) {
+    const auto& [x, y, z] = pcd.origin;
+    if (has_noted_origin_ || (x == 0 && y == 0 && z == 0)) return;
+    has_noted_origin_ = true;
+    spdlog::warn(
+        "{}: its points are too far from zero for a recording's floats; they are kept relative to "
+        "{} {} {}, and those of further such files relative to a place near their own middle",
+        file.string(), x, y, z);
   }
 
   std::vector<std::filesystem::path> files_;
@@ -79,6 +72,7 @@ class PcdFrames : public FrameSource {
   std::size_t next_ = 0;
   std::uint64_t frames_ = 0;
   std::size_t skipped_ = 0;
+  bool has_noted_origin_ = false;
 };
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 #include <sstream>
 
 #include "cleave/console/json.hpp"
 #include "cleave/console/live_line.hpp"
-#include "cleave/console/natural_order.hpp"
 #include "cleave/console/percentiles.hpp"
 #include "cleave/console/progress_bar.hpp"
 #include "cleave/console/table.hpp"
@@ -80,35 +78,6 @@ TEST(ProgressBar, FillsWithWhatIsDoneAndVanishes) {
   std::ostringstream out;
   { ProgressBar(out, 18).show(5, 10); }
   EXPECT_EQ(out.str(), "\r[#####.....] 5/10\x1b[K\r\x1b[K");
-}
-
-TEST(NaturalOrder, PutsFrame2BeforeFrame10) {
-  EXPECT_TRUE(natural_less("frame2.pcd", "frame10.pcd"));
-  EXPECT_FALSE(natural_less("frame10.pcd", "frame2.pcd"));
-  EXPECT_TRUE(natural_less("a", "a1"));
-  EXPECT_TRUE(natural_less("a1", "a01"));
-  EXPECT_FALSE(natural_less("a1", "a1"));
-  EXPECT_TRUE(natural_less("x99999999999999999999998", "x99999999999999999999999"));
-}
-
-TEST(NaturalOrder, IsAStrictOrderOfAllTexts) {
-  std::mt19937 random(7);
-  std::vector<std::string> texts;
-  for (int i = 0; i < 60; ++i) {
-    std::string text;
-    for (std::size_t n = random() % 5; n > 0; --n) text += "0012ab"[random() % 6];
-    texts.push_back(text);
-  }
-  for (const auto& a : texts) {
-    for (const auto& b : texts) {
-      EXPECT_EQ(int{natural_less(a, b)} + int{natural_less(b, a)}, a == b ? 0 : 1) << a << ' ' << b;
-      for (const auto& c : texts) {
-        if (natural_less(a, b) && natural_less(b, c)) {
-          EXPECT_TRUE(natural_less(a, c)) << a << ' ' << b << ' ' << c;
-        }
-      }
-    }
-  }
 }
 
 TEST(Percentiles, AreMeasuredValuesByNearestRank) {

@@ -2,17 +2,18 @@
 
 #include <limits>
 
-#include "cleave/cloud/pcd_cloud.hpp"
-#include "cleave/cloud/pcd_writer.hpp"
 #include "cleave/commands/command.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/frames/frame_writer.hpp"
+#include "recording/pcd/writer.hpp"
 #include "temporary_folder.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::client {
 namespace {
+
+using recording::PcdCloud;
 
 std::size_t convert(const std::filesystem::path& from, const std::filesystem::path& to) {
   const auto source = open_frame_source(from, "camera");
@@ -28,7 +29,7 @@ std::size_t convert(const std::filesystem::path& from, const std::filesystem::pa
 
 std::vector<float> points_of(const std::filesystem::path& pcd) {
   const PcdCloud cloud = PcdCloud::read(pcd);
-  return {cloud.view().xyz, cloud.view().xyz + 3 * cloud.view().size()};
+  return {cloud.xyz().begin(), cloud.xyz().end()};
 }
 
 class Convert : public testing::Test {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cleave/cloud/pcd_header.hpp"
+#include "recording/pcd/error.hpp"
 
 namespace cleave::evaluation {
 namespace {
@@ -53,7 +53,7 @@ TEST_F(LabelledCloudFile, IsRefusedIfItsLabelsAreNoWholeNumbers) {
   const auto file =
       write(" label\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1", "1 2 3 7\n4 5 6 0\n");
 
-  EXPECT_THROW((void)load_cloud(file), client::PcdError);
+  EXPECT_THROW((void)load_cloud(file), recording::PcdError);
 }
 
 }  // namespace

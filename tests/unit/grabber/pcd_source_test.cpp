@@ -5,16 +5,17 @@
 #include <cstdlib>
 #include <vector>
 
-#include "sensor/pcd_folder.hpp"
-#include "tests/unit/grabber/pcd_file.hpp"
+#include "recording/pcd/folder.hpp"
+#include "tests/unit/recording/pcd_files.hpp"
 
 namespace cleave::sensor {
 namespace {
 
+using recording::TestFolder;
 using std::chrono::seconds;
 
 std::string cloud_at(float x) {
-  return binary_file({x, 2, 3}, 1, 1);
+  return recording::binary_file({x, 2, 3}, 1, 1);
 }
 
 // The x of the first point of every frame, up to `most`.
@@ -111,7 +112,7 @@ TEST(PcdSource, NamesAFolderThatPosesAsAFileAndPassesOverOthers) {
   const TestFolder folder;
   std::filesystem::create_directory(folder.path() / "folder.pcd");
   std::filesystem::create_directory(folder.path() / "more");
-  const PcdFiles found = list_pcd_files(folder.path());
+  const recording::PcdFiles found = recording::list_pcd_files(folder.path());
   ASSERT_EQ(found.files.size(), 1U);
   EXPECT_EQ(found.files[0].filename(), "folder.pcd");
   EXPECT_TRUE(found.others.empty());

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <vector>
 
-#include "cleave/cloud/pcd_folder.hpp"
 #include "cleave/evaluation/labelled_cloud.hpp"
 #include "cleave/evaluation/quality.hpp"
+#include "recording/pcd/folder.hpp"
 #include "segmentation/segmenter.hpp"
 #include "tests/support/data_folder.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 TEST(Quality, CoversTheLabelledScenes) {
   const auto folder = tests::find_data("mosd/learn");
   if (!folder) GTEST_SKIP() << "mosd/learn is not below CLEAVE_DATA; see the README";
-  const auto files = client::pcd_files(*folder);
+  const auto files = recording::pcd_files(*folder);
   Segmenter segmenter;
   double weighted = 0;
   double unweighted = 0;

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "cleave/cloud/replace_file.hpp"
+#include "recording/replace_file.hpp"
 #include "tests/unit/client/temporary_folder.hpp"
 
 namespace cleave::client {
@@ -27,10 +27,10 @@ TEST(StudyScript, CropsOverSegmentationAsFigure5_9Does) {
 TEST(StudyScript, DrawsSvgAndPngInAFolderOfAnyName) {
   const TemporaryFolder folder;
   const auto place = folder.path() / "it's here, \"now\"";
-  make_folder(place);
+  recording::make_folder(place);
   const Study& study = studies().front();
-  replace_file(place / (study.name + ".dat"), data_of(study, points, 1));
-  replace_file(place / (study.name + ".gnuplot"), script_of(study, points));
+  recording::replace_file(place / (study.name + ".dat"), data_of(study, points, 1));
+  recording::replace_file(place / (study.name + ".gnuplot"), script_of(study, points));
 
   draw(place / (study.name + ".gnuplot"));
 

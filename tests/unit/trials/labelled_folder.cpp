@@ -1,19 +1,18 @@
 #include "tests/unit/trials/labelled_folder.hpp"
 
-#include "cleave/cloud/pcd_cloud.hpp"
-#include "cleave/cloud/pcd_folder.hpp"
-#include "cleave/cloud/pcd_writer.hpp"
+#include "recording/pcd/folder.hpp"
+#include "recording/pcd/writer.hpp"
 #include "tests/support/box_scene.hpp"
 
 namespace cleave::client {
 namespace {
 
 void write(const std::filesystem::path& file, const evaluation::LabelledCloud& cloud) {
-  PcdCloud pcd = PcdCloud::of_points(cloud.xyz, cloud.width, cloud.height);
+  auto pcd = recording::PcdCloud::of_points(cloud.xyz, cloud.width, cloud.height);
   if (cloud.labelled()) {
     pcd.set_labels(std::vector<std::uint16_t>(cloud.label.begin(), cloud.label.end()));
   }
-  write_pcd(file, pcd);
+  recording::write_pcd(file, pcd);
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ LabelledFolder::LabelledFolder() {
 }
 
 std::vector<std::filesystem::path> LabelledFolder::files() const {
-  return pcd_files(path());
+  return recording::pcd_files(path());
 }
 
 void LabelledFolder::add_unlabelled(const std::string& name) const {

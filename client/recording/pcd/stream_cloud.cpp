@@ -1,0 +1,28 @@
+#include "recording/pcd/stream_cloud.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "recording/cloud/fit_intrinsics.hpp"
+#include "recording/pcd/cloud.hpp"
+
+namespace cleave::recording {
+
+StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t most_points) {
+  const PcdCloud pcd = PcdCloud::read(file, most_points);
+  StreamCloud cloud{.width = pcd.header().width,
+                    .height = pcd.header().height,
+                    .xyz = {pcd.xyz().begin(), pcd.xyz().end()},
+                    .intrinsics = {},
+                    .origin = pcd.origin()};
+  for (std::size_t i = 0; i < cloud.xyz.size(); i += 3) {
+    float* const p = &cloud.xyz[i];
+    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
+    std::fill_n(p, 3, std::numeric_limits<float>::quiet_NaN());
+  }
+  cloud.intrinsics = fit_intrinsics(cloud.xyz.data(), cloud.width, cloud.height);
+  return cloud;
+}
+
+}  // namespace cleave::recording
