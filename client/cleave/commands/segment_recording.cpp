@@ -7,7 +7,6 @@
 #include <iostream>
 #include <optional>
 
-#include "cleave/cloud/pcd_cloud.hpp"
 #include "cleave/cloud/pcd_writer.hpp"
 #include "cleave/cloud/segment_table.hpp"
 #include "cleave/commands/command.hpp"

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "cleave/cloud/pcd_cloud.hpp"
 #include "segmentation/options.hpp"
 
 namespace cleave::client {
@@ -21,7 +22,6 @@ struct RecordingToSegment {
 [[nodiscard]] int segment_recording(const RecordingToSegment& recording);
 
 // One frame of a recording, from 1. Throws std::runtime_error where it is not there.
-class PcdCloud;
 [[nodiscard]] PcdCloud frame_of_recording(const std::string& input, std::uint64_t number);
 
 }  // namespace cleave::client
