@@ -51,6 +51,9 @@ Failure McapSource::open() {
   ended_ = false;
   try {
     auto input = recording::open_frames({path_, topic_}, {recording::Kind::cloud});
+    for (const std::string& remark : input->remarks()) {
+      spdlog::warn("{}: {}", path_.string(), remark);
+    }
     note_losses();
     reader_ = std::make_unique<ReadAhead>(std::move(input), loop_);
     AheadFrame first;
@@ -121,9 +124,6 @@ void McapSource::write_points(float* xyz) {
 void McapSource::note_problems() {
   for (const std::string& problem : reader_->problems()) {
     spdlog::warn("{}: skipped: {}", path_.string(), problem);
-  }
-  for (const std::string& remark : reader_->remarks()) {
-    spdlog::warn("{}: {}", path_.string(), remark);
   }
 }
 

@@ -8,18 +8,21 @@
 namespace cleave::client {
 namespace {
 
-const std::set every_kind = {recording::Kind::cloud, recording::Kind::labels,
-                             recording::Kind::segments};
+constexpr std::string_view scheme = "mcap:";
 
 class McapFrames : public FrameSource {
  public:
   McapFrames(const recording::FileTopic& from, const std::string& sensor)
-      : input_(recording::open_frames(from, every_kind, sensor)) {}
+      : input_(recording::open_frames(
+            from, {recording::Kind::cloud, recording::Kind::labels, recording::Kind::segments},
+            sensor)) {
+    for (const std::string& remark : input_->remarks()) spdlog::warn("{}", remark);
+  }
 
   std::optional<recording::Frame> next() override {
     auto frame = input_->next();
-    name_new(input_->problems(), named_problems_);
-    name_new(input_->remarks(), named_remarks_);
+    const auto problems = input_->problems();
+    for (; named_ < problems.size(); ++named_) spdlog::warn("{}", problems[named_]);
     return frame;
   }
   [[nodiscard]] std::size_t skipped() const override {
@@ -29,19 +32,17 @@ class McapFrames : public FrameSource {
   }
 
  private:
-  static void name_new(const std::vector<std::string>& texts, std::size_t& named) {
-    for (; named < texts.size(); ++named) spdlog::warn("{}", texts[named]);
-  }
-
   std::unique_ptr<recording::FrameInput> input_;
-  std::size_t named_problems_ = 0;
-  std::size_t named_remarks_ = 0;
+  std::size_t named_ = 0;
 };
+
+bool is_mcap(const std::string& input) {
+  return input.starts_with(scheme) || mcap_input(input).file.extension() == ".mcap";
+}
 
 }  // namespace
 
 recording::FileTopic mcap_input(const std::string& text) {
-  constexpr std::string_view scheme = "mcap:";
   return recording::split_topic(text.starts_with(scheme) ? text.substr(scheme.size()) : text);
 }
 
@@ -51,21 +52,19 @@ std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from,
 }
 
 bool is_recording(const std::string& input) {
-  const std::filesystem::path path = mcap_input(input).file;
-  return path.extension() == ".mcap" || path.extension() == ".oni";
+  return is_mcap(input) || std::filesystem::path(input).extension() == ".oni";
 }
 
 std::unique_ptr<FrameSource> open_frame_source(const std::string& input,
                                                const std::string& sensor) {
-  const recording::FileTopic from = mcap_input(input);
-  const std::filesystem::path& path = from.file;
+  if (is_mcap(input)) return open_mcap(mcap_input(input), sensor);
+  const std::filesystem::path path = input;
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
   }
   if (std::filesystem::is_directory(path) || path.extension() == ".pcd") {
     return open_pcd(path, sensor);
   }
-  if (path.extension() == ".mcap") return open_mcap(from, sensor);
   if (path.extension() == ".oni") return open_oni(path, sensor);
   throw UsageError(path.string() +
                    ": cannot be converted: name a .mcap file, an .oni file, a .pcd file or a "

@@ -26,7 +26,7 @@ class FrameInput {
   [[nodiscard]] virtual std::vector<std::string> problems() const = 0;
   // How much of it, by cause.
   [[nodiscard]] virtual std::map<std::string, std::uint64_t> losses() const = 0;
-  // What a user should know of frames that are handed out.
+  // What a user should know of all the frames.
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }
 };
 

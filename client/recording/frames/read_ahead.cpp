@@ -46,11 +46,6 @@ std::map<std::string, std::uint64_t> ReadAhead::losses() const {
   return losses_;
 }
 
-std::vector<std::string> ReadAhead::remarks() const {
-  const std::lock_guard lock(mutex_);
-  return remarks_;
-}
-
 void ReadAhead::run() {
   try {
     std::uint64_t number = 0;
@@ -88,12 +83,10 @@ bool ReadAhead::hand_over(AheadFrame frame) {
 void ReadAhead::end(const std::string& failure) {
   std::vector<std::string> problems = input_->problems();
   std::map<std::string, std::uint64_t> losses = input_->losses();
-  std::vector<std::string> remarks = input_->remarks();
   const std::lock_guard lock(mutex_);
   failure_ = failure;
   problems_ = std::move(problems);
   losses_ = std::move(losses);
-  remarks_ = std::move(remarks);
   ended_ = true;
   changed_.notify_all();
 }

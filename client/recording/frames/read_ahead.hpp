@@ -45,7 +45,6 @@ class ReadAhead {
   [[nodiscard]] std::map<std::string, std::uint64_t> losses() const;
   // Once the end has been reported.
   [[nodiscard]] std::vector<std::string> problems() const;
-  [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
   static constexpr std::size_t default_frames_ahead = 4;
@@ -66,7 +65,6 @@ class ReadAhead {
   std::string failure_;
   std::vector<std::string> problems_;
   std::map<std::string, std::uint64_t> losses_;
-  std::vector<std::string> remarks_;
   std::thread thread_;  // last: it uses all of the above
 };
 

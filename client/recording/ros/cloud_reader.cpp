@@ -104,7 +104,6 @@ Cloud CloudReader::depth_cloud(const Held& held) {
   const std::vector<float> depth_m = depth_of(image);
   const CameraInfo& info = cameras_.of_image(moment_of(image.header, held.times));
   const Camera camera = camera_of(info, kind_of(topic_.topic), image.width, image.height);
-  if (!camera.remark.empty()) remarks_.insert(topic_.topic + ": " + camera.remark);
   Cloud cloud;
   describe(cloud.header, image.header, image.width, image.height);
   set_intrinsics(cloud.header, camera.intrinsics);
@@ -139,12 +138,13 @@ std::vector<std::string> CloudReader::problems() const {
 
 std::map<std::string, std::uint64_t> CloudReader::losses() const {
   std::map<std::string, std::uint64_t> losses = losses_;
-  if (!mcap_.problems().empty()) losses["damaged part of the file"] = mcap_.problems().size();
+  if (!mcap_.problems().empty()) losses["damaged"] += mcap_.problems().size();
   return losses;
 }
 
 std::vector<std::string> CloudReader::remarks() const {
-  return {remarks_.begin(), remarks_.end()};
+  if (topic_.why.empty()) return {};
+  return {topic_.topic + ": " + topic_.why};
 }
 
 }  // namespace cleave::recording::ros

@@ -3,7 +3,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "recording/cloud/depth_to_points.hpp"
@@ -59,7 +58,6 @@ class CloudReader : public FrameInput {
 
   std::vector<std::string> problems_;  // beyond the container's
   std::map<std::string, std::uint64_t> losses_;
-  std::set<std::string> remarks_;
 };
 
 }  // namespace cleave::recording::ros

@@ -42,8 +42,6 @@ class TopicSurvey {
   [[nodiscard]] std::vector<TopicUse> topics() const;
   // Whether more messages can change what is said of `topic`.
   [[nodiscard]] bool is_settled(const std::string& topic) const;
-  // Whether a message of `topic` was seen.
-  [[nodiscard]] bool has(const std::string& topic) const { return seen_.contains(topic); }
   // Whether a cloud of `cleave record` was seen.
   [[nodiscard]] bool has_cleave_cloud() const { return has_cleave_cloud_; }
 
