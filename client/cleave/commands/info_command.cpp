@@ -130,6 +130,8 @@ void add_info_command(CLI::App& app, Action& action) {
       "\n"
       "Reads every message and checks every checksum. Sizes by topic are those before "
       "compression.\n"
+      "Of every topic it says whether its messages can be clouds for convert, verify, segment and\n"
+      "cleave-grabber (FILE?topic=TOPIC names one), or why not.\n"
       "Exit code 1: the file is damaged.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -9,7 +9,7 @@ namespace cleave::recording {
 
 struct FileTopic {
   std::filesystem::path file;
-  std::string topic;  // empty: the only one that can be segmented
+  std::string topic = {};  // empty: the only one that can be segmented
 };
 
 // `?topic=` where it stands last parts the two; every other `?` is of the file's name. A file whose

@@ -46,7 +46,7 @@ class ForeignBag : public testing::Test {
   }
   [[nodiscard]] std::size_t update(const fs::path& input) const {
     OfflineSegmenter segmenter({}, 2);
-    return write_golden({input, ""}, golden_, segmenter, [](std::size_t) {});
+    return write_golden({input}, golden_, segmenter, [](std::size_t) {});
   }
 
   TemporaryFolder folder_;
