@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "recording/ros/file_topic.hpp"
 #include "sensor/mcap_source.hpp"
 #include "sensor/oni_source.hpp"
 #include "sensor/pcd_source.hpp"
@@ -21,7 +22,8 @@ constexpr char sources[] =
     "  synthetic:SCENE   the synthetic camera, e.g. synthetic:medium\n"
     "  pcd:PATH          a point cloud or a folder of them, e.g. pcd:recordings\n"
     "  oni:FILE          a recording by OpenNI, e.g. oni:table.oni\n"
-    "  mcap:FILE         a recording by `cleave record`, e.g. mcap:run.mcap";
+    "  mcap:FILE         a recording by `cleave record`, or a bag of ROS 2 in MCAP, e.g.\n"
+    "                    mcap:run.mcap or mcap:bag.mcap?topic=/camera/depth/points";
 
 // The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
 std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
@@ -37,6 +39,11 @@ std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
   return std::make_unique<OpenNi2Source>(std::move(uri), mode);
 }
 
+std::unique_ptr<Source> make_mcap(const std::string& text, bool loop) {
+  const recording::FileTopic from = recording::split_topic(text);
+  return std::make_unique<McapSource>(from.file, loop, from.topic);
+}
+
 }  // namespace
 
 std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop) {
@@ -48,7 +55,7 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
     if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
-    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop);
+    if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, loop);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
 }

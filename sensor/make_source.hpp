@@ -9,9 +9,9 @@
 
 namespace cleave::sensor {
 
-// openni2:[URI], synthetic:SCENE, pcd:PATH, oni:FILE, mcap:FILE. `mode` is asked of cameras; `loop`
-// is for recordings. Opens nothing. Throws std::invalid_argument, listing the sources, for any
-// other URI.
+// openni2:[URI], synthetic:SCENE, pcd:PATH, oni:FILE, mcap:FILE[?topic=TOPIC]. `mode` is asked of
+// cameras; `loop` is for recordings. Opens nothing. Throws std::invalid_argument, listing the
+// sources, for any other URI.
 [[nodiscard]] std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
                                                   bool loop);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recording/error.hpp"
+#include "recording/ros/open_frames.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -14,6 +15,7 @@ using recording::AheadFrame;
 using recording::ReadAhead;
 
 constexpr std::chrono::seconds first_frame_patience{10};
+constexpr char too_large[] = "more than 640 x 480 points";
 
 const recording::Cloud& cloud_of(const AheadFrame& ahead) {
   return std::get<recording::Cloud>(ahead.frame.content);
@@ -29,20 +31,33 @@ Frame frame_of(const recording::FrameHeader& h) {
   return frame;
 }
 
+// ": 3 damaged, 1 no points"; empty where nothing was lost.
+std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
+  std::string text;
+  for (const auto& [cause, count] : unusable) {
+    text += (text.empty() ? ": " : ", ") + std::to_string(count) + " " + cause;
+  }
+  return text;
+}
+
 }  // namespace
 
-McapSource::McapSource(const std::filesystem::path& path, bool loop)
-    : path_(std::filesystem::absolute(path)), loop_(loop) {}
+McapSource::McapSource(const std::filesystem::path& path, bool loop, std::string topic)
+    : path_(std::filesystem::absolute(path)), topic_(std::move(topic)), loop_(loop) {}
 
 Failure McapSource::open() {
   held_.reset();
   next_.reset();
   ended_ = false;
   try {
-    const recording::Selection clouds{{recording::Kind::cloud}, sensor_, 0, {}};
-    reader_ = std::make_unique<ReadAhead>(path_, clouds, loop_);
+    auto input = recording::open_frames({path_, topic_}, {recording::Kind::cloud});
+    for (const std::string& remark : input->remarks()) {
+      spdlog::warn("{}: {}", path_.string(), remark);
+    }
+    note_losses();
+    reader_ = std::make_unique<ReadAhead>(std::move(input), loop_);
     AheadFrame first;
-    if (reader_->next(first_frame_patience, first) == ReadAhead::Result::frame) {
+    if (read(first_frame_patience, first) == ReadAhead::Result::frame) {
       sensor_ = first.frame.header().sensor;
       next_ = std::move(first);
       return std::nullopt;
@@ -51,17 +66,32 @@ Failure McapSource::open() {
     return error.what();
   }
   note_problems();
-  return path_.string() + ": holds no cloud; `cleave info` says what it holds";
+  return path_.string() + ": holds no cloud that can be played" + summary(counts().unusable) +
+         "; `cleave info` says what it holds";
+}
+
+// The next frame of the sensor that the stream can carry.
+ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame& ahead) {
+  while (true) {
+    const ReadAhead::Result result = reader_->next(timeout, ahead);
+    if (result != ReadAhead::Result::frame) return result;
+    const recording::FrameHeader& header = ahead.frame.header();
+    if (!sensor_.empty() && header.sensor != sensor_) continue;
+    if (header.points() <= capacity_points) return result;
+    if (++unusable_[too_large] > 1) continue;
+    spdlog::warn("{}: skipped: {} x {} points, more than the 640 x 480 that the stream carries",
+                 path_.string(), header.width, header.height);
+  }
 }
 
 // The frame that is handed out is the one after the one before: the next one must be there, too, to
 // tell when it is due.
 Poll McapSource::next(std::chrono::milliseconds timeout, Frame& frame) {
   AheadFrame after;
-  while (next_ && !ended_) {
+  if (next_ && !ended_) {
     ReadAhead::Result result{};
     try {
-      result = reader_->next(timeout, after);
+      result = read(timeout, after);
     } catch (const recording::FileError& error) {
       error_ = error.what();
       return Poll::lost;
@@ -70,8 +100,6 @@ Poll McapSource::next(std::chrono::milliseconds timeout, Frame& frame) {
     if (result == ReadAhead::Result::end) {
       ended_ = true;
       note_problems();
-    } else if (after.frame.header().sensor == sensor_) {
-      break;
     }
   }
   if (!next_) return Poll::end;
@@ -95,14 +123,20 @@ void McapSource::write_points(float* xyz) {
 
 void McapSource::note_problems() {
   for (const std::string& problem : reader_->problems()) {
-    spdlog::warn("{}: damaged: {}", path_.string(), problem);
-    ++damaged_;
+    spdlog::warn("{}: skipped: {}", path_.string(), problem);
   }
+}
+
+// Before another reader counts from 0.
+void McapSource::note_losses() {
+  if (reader_) unusable_ = counts().unusable;
 }
 
 SourceCounts McapSource::counts() const {
   SourceCounts counts;
-  if (damaged_ > 0) counts.unusable["damaged"] = damaged_;
+  counts.unusable = unusable_;
+  if (!reader_) return counts;
+  for (const auto& [cause, count] : reader_->losses()) counts.unusable[cause] += count;
   return counts;
 }
 

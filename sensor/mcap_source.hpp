@@ -12,11 +12,12 @@
 namespace cleave::sensor {
 
 // Points come back bit for bit, with the capture and device times that were recorded. A recording
-// of several sensors plays the one that its first cloud is of. Damage is named in the log, counted,
-// and passed over.
+// of several sensors plays the one that its first cloud is of. A recording that is not ours plays
+// one topic (recording::open_frames), with its messages' times. What is damaged, too large for the
+// stream or of no use is named in the log, counted by cause, and passed over.
 class McapSource : public Source {
  public:
-  McapSource(const std::filesystem::path& path, bool loop);
+  McapSource(const std::filesystem::path& path, bool loop, std::string topic = "");
 
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
@@ -26,16 +27,20 @@ class McapSource : public Source {
   [[nodiscard]] std::string last_error() const override { return error_; }
 
  private:
+  [[nodiscard]] recording::ReadAhead::Result read(std::chrono::milliseconds timeout,
+                                                  recording::AheadFrame& ahead);
   void note_problems();
+  void note_losses();
 
   std::filesystem::path path_;
+  std::string topic_;  // empty: the only one
   bool loop_;
   std::string sensor_;
   std::unique_ptr<recording::ReadAhead> reader_;
   std::optional<recording::AheadFrame> held_;  // write_points() writes its points
   std::optional<recording::AheadFrame> next_;  // the one after, for its time
   bool ended_ = false;
-  std::uint64_t damaged_ = 0;
+  std::map<std::string, std::uint64_t> unusable_;  // beyond what reader_ counts
   std::string error_;
 };
 

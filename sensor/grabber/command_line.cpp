@@ -17,6 +17,7 @@ constexpr char examples[] =
     "  pcd:PATH          a point cloud, or a folder of them in natural order\n"
     "  oni:FILE          a recording by OpenNI\n"
     "  mcap:FILE         a recording by `cleave record`, in its own timing\n"
+    "  mcap:FILE?topic=T the clouds or depth images of one topic of a bag of ROS 2\n"
     "\n"
     "Examples:\n"
     "  cleave-grabber --config grabber.yaml\n"

@@ -4,6 +4,7 @@
 #include "recording/frames/frame_writer.hpp"
 #include "recording/mcap/reader.hpp"
 #include "tests/integration/process.hpp"
+#include "tests/interop/npm_packages.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::test {
@@ -11,28 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Installs the packages of package-lock.json into the build folder, once.
-void install_packages(const fs::path& folder) {
-  const fs::path lock = folder / "package-lock.json";
-  const fs::path source(CLEAVE_MCAP_INTEROP);
-  if (fs::exists(folder / "node_modules" / ".package-lock.json") &&
-      recording::read_all(lock) == recording::read_all(source / "package-lock.json")) {
-    return;
-  }
-  fs::create_directories(folder);
-  for (const char* const name : {"package.json", "package-lock.json"}) {
-    fs::copy_file(source / name, folder / name, fs::copy_options::overwrite_existing);
-  }
-  Process npm(
-      {"/usr/bin/env", "npm", "ci", "--no-audit", "--no-fund", "--prefix", folder.string()});
-  ASSERT_EQ(npm.wait(std::chrono::minutes(3)), 0)
-      << "npm cannot install MCAP's reader (is its registry reachable?): " << npm.log();
-}
-
 class McapInterop : public testing::Test {
  protected:
   void SetUp() override {
-    install_packages(folder_);
+    install_npm_packages(folder_);
     fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / "read_all.mjs", folder_ / "read_all.mjs",
                   fs::copy_options::overwrite_existing);
   }

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 
 #include "cleave/commands/live_options.hpp"
@@ -11,6 +13,7 @@
 #include "cleave/console/terminal.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
+#include "recording/error.hpp"
 
 namespace cleave::client {
 namespace {
@@ -28,17 +31,26 @@ int run(const ConvertOptions& options) {
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   std::size_t frames = 0;
+  std::map<std::string, std::size_t> refused;  // by what the output says
   while (auto frame = source->next()) {
-    sink->write(std::move(*frame));
-    ++frames;
+    try {
+      sink->write(std::move(*frame));
+      ++frames;
+    } catch (const recording::DataError& error) {
+      ++refused[error.what()];
+    }
     if (terminal) line.show(std::to_string(frames) + " frames");
   }
   sink->close();
   line.erase();
   std::cout << options.output << ": " << frames << " frames";
   if (source->skipped() > 0) std::cout << ", " << source->skipped() << " could not be read";
+  for (const auto& [why, count] : refused) {
+    std::cout << ", " << count << " left out: " << why;
+  }
   std::cout << '\n';
-  return frames > 0 && source->skipped() == 0 ? exit_done : exit_failed;
+  if (frames == 0) std::filesystem::remove(options.output);  // a recording, or a folder, of nothing
+  return frames > 0 && refused.empty() && source->skipped() == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace
@@ -49,7 +61,7 @@ void add_convert_command(CLI::App& app, Action& action) {
       app.add_subcommand("convert", "Between MCAP recordings and PCD files, and from .oni");
   command
       ->add_option("INPUT", options->input,
-                   "recording (.mcap or .oni), PCD file, or folder of them")
+                   "recording (.mcap, .mcap?topic=T or .oni), PCD file, or folder of them")
       ->required();
   command->add_option("OUTPUT", options->output, "recording (.mcap), or a folder for PCD files")
       ->required();
@@ -59,7 +71,11 @@ void add_convert_command(CLI::App& app, Action& action) {
       "  cleave convert scenes/ scenes.mcap\n"
       "  cleave convert run.mcap run_pcd/\n"
       "  cleave convert table.oni table.mcap\n"
+      "  cleave convert 'bag.mcap?topic=/camera/depth/points' table.mcap\n"
       "\n"
+      "Of a bag of ROS 2 in MCAP, the clouds (PointCloud2) or depth images (Image and CameraInfo) "
+      "of\n"
+      "one topic are taken; `cleave info` lists what can be.\n"
       "PCD files become frames of the sensor `camera` (--sensor) at 30 frames a second. The depth\n"
       "of an .oni file becomes frames of that sensor with the file's own time stamps, and with "
       "the\n"

@@ -11,6 +11,7 @@
 #include "cleave/console/json.hpp"
 #include "cleave/console/table.hpp"
 #include "recording/mcap/reader.hpp"
+#include "recording/ros/topic_survey.hpp"
 
 namespace cleave::client {
 namespace {
@@ -23,21 +24,26 @@ struct InfoOptions {
 };
 
 struct TopicInfo {
-  std::string schema;
-  std::uint64_t messages = 0;
+  recording::ros::TopicUse use;
   std::uint64_t bytes = 0;
 };
 
 // Reads every message: what is said of a file is then true of its data, too.
 std::map<std::string, TopicInfo> topics_of(McapReader& reader) {
   std::map<std::string, TopicInfo> topics;
+  recording::ros::TopicSurvey survey;
   while (const auto message = reader.next()) {
-    TopicInfo& topic = topics[message->channel->topic];
-    topic.schema = message->schema->name;
-    topic.messages += 1;
-    topic.bytes += message->data.size();
+    survey.add(*message);
+    topics[message->channel->topic].bytes += message->data.size();
   }
+  for (auto& use : survey.topics()) topics[use.topic].use = std::move(use);
   return topics;
+}
+
+// "yes", "yes; ..." or "no: ..."
+std::string verdict_of(const recording::ros::TopicUse& use) {
+  if (!use.usable()) return "no: " + use.why;
+  return use.why.empty() ? "yes" : "yes; " + use.why;
 }
 
 double duration_s(const McapReader& reader) {
@@ -48,9 +54,12 @@ Json json_of(const McapReader& reader, const std::map<std::string, TopicInfo>& t
   Json list = Json::array();
   for (const auto& [name, topic] : topics) {
     list.push_back({{"topic", name},
-                    {"schema", topic.schema},
-                    {"messages", topic.messages},
-                    {"bytes", topic.bytes}});
+                    {"schema", topic.use.type},
+                    {"encoding", topic.use.message_encoding},
+                    {"messages", topic.use.messages},
+                    {"bytes", topic.bytes},
+                    {"segmentable", topic.use.usable()},
+                    {"why", topic.use.why}});
   }
   Json metadata = Json::object();
   for (const auto& record : reader.contents().metadata) metadata[record.name] = record.entries;
@@ -72,10 +81,14 @@ std::string text_of(const McapReader& reader, const std::map<std::string, TopicI
   Table table({{"TOPIC", Align::left},
                {"MESSAGES", Align::right},
                {"MB", Align::right},
-               {"TYPE", Align::left}});
+               {"TYPE", Align::left},
+               {"ENCODING", Align::left},
+               {"CAN BE SEGMENTED", Align::left}});
   for (const auto& [name, topic] : topics) {
-    table.add_row({name, std::to_string(topic.messages),
-                   fmt::format("{:.1f}", static_cast<double>(topic.bytes) / 1e6), topic.schema});
+    table.add_row({printable(name), std::to_string(topic.use.messages),
+                   fmt::format("{:.1f}", static_cast<double>(topic.bytes) / 1e6),
+                   printable(topic.use.type), printable(topic.use.message_encoding),
+                   printable(verdict_of(topic.use))});
   }
   text += table.to_string();
   for (const auto& record : reader.contents().metadata) {
@@ -117,6 +130,8 @@ void add_info_command(CLI::App& app, Action& action) {
       "\n"
       "Reads every message and checks every checksum. Sizes by topic are those before "
       "compression.\n"
+      "Of every topic it says whether its messages can be clouds for convert, verify, segment and\n"
+      "cleave-grabber (FILE?topic=TOPIC names one), or why not.\n"
       "Exit code 1: the file is damaged.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -1,6 +1,10 @@
 #include "cleave/commands/segment_command.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -10,7 +14,9 @@
 #include "cleave/cloud/picture.hpp"
 #include "cleave/cloud/png_file.hpp"
 #include "cleave/cloud/segment_table.hpp"
+#include "cleave/commands/segment_recording.hpp"
 #include "cleave/commands/segmentation_options.hpp"
+#include "cleave/recording/frame_source.hpp"
 #include "recording/pcd/writer.hpp"
 #include "segmentation/segmenter.hpp"
 
@@ -24,7 +30,8 @@ using segmentation::Segmentation;
 struct SegmentOptions {
   std::string input;
   std::string output;
-  std::string picture;  // empty = none
+  std::string picture;      // empty = none
+  std::uint64_t frame = 0;  // of a recording, from 1; 0 = not given
   bool json = false;
   SegmentationArguments segmentation;
 };
@@ -61,8 +68,31 @@ void print(const Segmentation& result, const PcdCloud& cloud, const SegmentOptio
             << '\n';
 }
 
+// A recording's frames all go to a folder, one to a file.
+bool is_folder(const std::string& output) {
+  return std::filesystem::path(output).extension() != ".pcd";
+}
+
+PcdCloud read(const SegmentOptions& options) {
+  if (!is_recording(options.input)) return PcdCloud::read(options.input);
+  const std::uint64_t frame = std::max<std::uint64_t>(options.frame, 1);
+  if (options.frame == 0) {
+    spdlog::info("{}: frame 1 alone; --frame N takes another, a folder as OUTPUT takes all",
+                 options.input);
+  }
+  return frame_of_recording(options.input, frame);
+}
+
 int run(const SegmentOptions& options) {
-  PcdCloud cloud = PcdCloud::read(options.input);
+  if (options.frame > 0 && (!is_recording(options.input) || is_folder(options.output))) {
+    throw UsageError("--frame is for one frame of a recording, and a .pcd file as OUTPUT");
+  }
+  if (is_recording(options.input) && is_folder(options.output)) {
+    if (!options.picture.empty()) throw UsageError("--picture is of one frame: add --frame N");
+    return segment_recording(
+        {options.input, options.output, options.json, options_of(options.segmentation)});
+  }
+  PcdCloud cloud = read(options);
   std::vector<std::uint16_t> labels(cloud.header().points());
   const Segmentation result = segment(cloud, labels, options);
   cloud.set_labels(labels);
@@ -78,11 +108,19 @@ int run(const SegmentOptions& options) {
 
 void add_segment_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SegmentOptions>();
-  CLI::App* command = app.add_subcommand("segment", "Segments one PCD file, offline");
-  command->add_option("INPUT", options->input, "PCD file with x, y, z, organised or not")
+  CLI::App* command = app.add_subcommand("segment", "Segments a PCD file or a recording, offline");
+  command
+      ->add_option(
+          "INPUT", options->input,
+          "PCD file with x, y, z, organised or not; or a recording (.mcap, .mcap?topic=T, .oni)")
       ->required();
-  command->add_option("OUTPUT", options->output, "PCD file to write: the input with label set")
+  command
+      ->add_option(
+          "OUTPUT", options->output,
+          "PCD file to write: the input with label set; for a recording, a folder for all frames")
       ->required();
+  command->add_option("--frame", options->frame, "of a recording, this one alone, from 1")
+      ->check(CLI::PositiveNumber);
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
   add_segmentation_options(*command, options->segmentation);
@@ -90,6 +128,8 @@ void add_segment_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  cleave segment in.pcd out.pcd\n"
       "  cleave segment in.pcd out.pcd --picture out.png --set voxel.size_m=0.005\n"
+      "  cleave segment 'bag.mcap?topic=/camera/depth/points' labelled/\n"
+      "  cleave segment run.mcap third.pcd --frame 3\n"
       "\n"
       "OUTPUT keeps the points, their order and organisation, VIEWPOINT and every other field;\n"
       "label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, else\n"

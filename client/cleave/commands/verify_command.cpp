@@ -14,6 +14,7 @@
 #include "cleave/console/json.hpp"
 #include "cleave/console/live_line.hpp"
 #include "cleave/console/terminal.hpp"
+#include "cleave/recording/frame_source.hpp"
 #include "cleave/recording/verification.hpp"
 
 namespace cleave::client {
@@ -66,7 +67,7 @@ std::string text_of(const VerificationResult& result) {
 int run_update(const VerifyOptions& options, OfflineSegmenter& segmenter, LiveLine& line,
                bool terminal) {
   const std::size_t frames =
-      write_golden(options.input, options.golden, segmenter, [&](std::size_t done) {
+      write_golden(mcap_input(options.input), options.golden, segmenter, [&](std::size_t done) {
         if (terminal) line.show(std::to_string(done) + " frames");
       });
   line.erase();
@@ -83,7 +84,7 @@ int run(const VerifyOptions& options) {
 
   Json frames = Json::array();
   const VerificationResult result = verify(
-      options.input, options.golden, segmenter, options.tolerances,
+      mcap_input(options.input), options.golden, segmenter, options.tolerances,
       [&](const FrameDifference& difference) {
         line.erase();
         options.json ? frames.push_back(json_of(difference)) : print(difference);
@@ -92,8 +93,11 @@ int run(const VerifyOptions& options) {
         if (terminal) line.show(std::to_string(done) + " frames");
       });
   line.erase();
-  for (const std::string& problem : result.problems) spdlog::warn("damaged: {}", problem);
-  if (result.frames == 0) spdlog::error("{}: holds no cloud", options.input);
+  for (const std::string& problem : result.problems) spdlog::warn("not read: {}", problem);
+  if (result.frames == 0) {
+    spdlog::error("{}: not one cloud was compared{}", options.input,
+                  result.problems.empty() ? "" : ": " + result.problems.front());
+  }
   std::cout << (options.json ? one_line(json_of(result, std::move(frames))) : text_of(result))
             << '\n';
   return result.passed() ? exit_done : exit_failed;
@@ -105,7 +109,8 @@ void add_verify_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<VerifyOptions>();
   CLI::App* command = app.add_subcommand(
       "verify", "Segments a recording's clouds, and compares with labels and segments on file");
-  command->add_option("INPUT", options->input, "recording with clouds (.mcap)")->required();
+  command->add_option("INPUT", options->input, "recording with clouds (.mcap, .mcap?topic=T)")
+      ->required();
   command
       ->add_option("--expect", options->golden,
                    "recording with the labels and segments that are right; may be INPUT")

@@ -3,43 +3,68 @@
 #include <spdlog/spdlog.h>
 
 #include "cleave/commands/command.hpp"
-#include "recording/frames/frame_reader.hpp"
+#include "recording/ros/open_frames.hpp"
 
 namespace cleave::client {
 namespace {
 
+constexpr std::string_view scheme = "mcap:";
+
 class McapFrames : public FrameSource {
  public:
-  explicit McapFrames(const std::filesystem::path& path) : reader_(path) {}
+  McapFrames(const recording::FileTopic& from, const std::string& sensor)
+      : input_(recording::open_frames(
+            from, {recording::Kind::cloud, recording::Kind::labels, recording::Kind::segments},
+            sensor)) {
+    for (const std::string& remark : input_->remarks()) spdlog::warn("{}", remark);
+  }
 
   std::optional<recording::Frame> next() override {
-    auto frame = reader_.next();
-    const auto problems = reader_.problems();
+    auto frame = input_->next();
+    const auto problems = input_->problems();
     for (; named_ < problems.size(); ++named_) spdlog::warn("{}", problems[named_]);
     return frame;
   }
-  [[nodiscard]] std::size_t skipped() const override { return named_; }
+  [[nodiscard]] std::size_t skipped() const override {
+    std::size_t count = 0;
+    for (const auto& [cause, frames] : input_->losses()) count += frames;
+    return count;
+  }
 
  private:
-  recording::FrameReader reader_;
+  std::unique_ptr<recording::FrameInput> input_;
   std::size_t named_ = 0;
 };
 
-}  // namespace
-
-std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path) {
-  return std::make_unique<McapFrames>(path);
+bool is_mcap(const std::string& input) {
+  return input.starts_with(scheme) || mcap_input(input).file.extension() == ".mcap";
 }
 
-std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
+}  // namespace
+
+recording::FileTopic mcap_input(const std::string& text) {
+  return recording::split_topic(text.starts_with(scheme) ? text.substr(scheme.size()) : text);
+}
+
+std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from,
+                                       const std::string& sensor) {
+  return std::make_unique<McapFrames>(from, sensor);
+}
+
+bool is_recording(const std::string& input) {
+  return is_mcap(input) || std::filesystem::path(input).extension() == ".oni";
+}
+
+std::unique_ptr<FrameSource> open_frame_source(const std::string& input,
                                                const std::string& sensor) {
+  if (is_mcap(input)) return open_mcap(mcap_input(input), sensor);
+  const std::filesystem::path path = input;
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
   }
   if (std::filesystem::is_directory(path) || path.extension() == ".pcd") {
     return open_pcd(path, sensor);
   }
-  if (path.extension() == ".mcap") return open_mcap(path);
   if (path.extension() == ".oni") return open_oni(path, sensor);
   throw UsageError(path.string() +
                    ": cannot be converted: name a .mcap file, an .oni file, a .pcd file or a "

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "recording/frames/frame.hpp"
+#include "recording/ros/file_topic.hpp"
 
 namespace cleave::client {
 
@@ -25,14 +26,20 @@ class FrameSource {
   [[nodiscard]] virtual std::size_t skipped() const = 0;
 };
 
-// By the path's kind: an MCAP file, an .oni file, a PCD file or a folder of them. `sensor` names
-// what has no name of its own. Throws UsageError for any other kind, std::runtime_error for what
-// cannot be opened.
-[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
+// By the kind of its path: an MCAP file (bag.mcap, bag.mcap?topic=T, mcap:bag.mcap), an .oni file,
+// a PCD file or a folder of them. `sensor` names what has no name of its own. Throws UsageError for
+// any other kind, std::runtime_error for what cannot be opened.
+[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::string& input,
                                                              const std::string& sensor);
 
+// Whether it is an MCAP or .oni file, by its name.
+[[nodiscard]] bool is_recording(const std::string& input);
+// The MCAP file and the topic that an input names, with or without `mcap:` before them.
+[[nodiscard]] recording::FileTopic mcap_input(const std::string& input);
+
 // One for each kind.
-[[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path);
+[[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from,
+                                                     const std::string& sensor);
 [[nodiscard]] std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
                                                     const std::string& sensor);
 [[nodiscard]] std::unique_ptr<FrameSource> open_oni(const std::filesystem::path& path,

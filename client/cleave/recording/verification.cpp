@@ -4,6 +4,7 @@
 
 #include "recording/error.hpp"
 #include "recording/frames/frame_writer.hpp"
+#include "recording/ros/open_frames.hpp"
 
 namespace cleave::client {
 namespace {
@@ -16,21 +17,30 @@ struct Segmented {
   SegmentedCloud result;
 };
 
-// Calls on_frame for every cloud of the recording, in order. What of the file is damaged.
-std::vector<std::string> segment_all(const std::filesystem::path& input,
-                                     OfflineSegmenter& segmenter,
+std::string size_problem(const recording::FrameHeader& header) {
+  return "frame " + std::to_string(header.frame_id) + " has " + std::to_string(header.width) +
+         " x " + std::to_string(header.height) + " points, more than 640 x 480";
+}
+
+// Calls on_frame for every cloud of the recording, in order. What could not be read.
+std::vector<std::string> segment_all(const recording::FileTopic& input, OfflineSegmenter& segmenter,
                                      const std::function<void(Segmented)>& on_frame,
                                      const std::function<void(std::size_t)>& on_progress) {
-  recording::FrameReader reader(input, {{recording::Kind::cloud}, "", 0, {}});
+  const auto reader = recording::open_frames(input, {recording::Kind::cloud});
+  std::vector<std::string> too_large;
   std::size_t done = 0;
   bool more = true;
   while (more) {
     std::vector<std::int64_t> times_ns;
     std::vector<recording::Cloud> clouds;
     while (clouds.size() < clouds_a_worker * segmenter.workers()) {
-      auto frame = reader.next();
+      auto frame = reader->next();
       more = frame.has_value();
       if (!more) break;
+      if (frame->header().points() > recording::capacity_points) {
+        too_large.push_back(size_problem(frame->header()));
+        continue;
+      }
       times_ns.push_back(frame->log_time_ns);
       clouds.push_back(std::get<recording::Cloud>(std::move(frame->content)));
     }
@@ -41,12 +51,14 @@ std::vector<std::string> segment_all(const std::filesystem::path& input,
     done += results.size();
     on_progress(done);
   }
-  return reader.problems();
+  std::vector<std::string> problems = reader->problems();
+  problems.insert(problems.end(), too_large.begin(), too_large.end());
+  return problems;
 }
 
 }  // namespace
 
-VerificationResult verify(const std::filesystem::path& input, const std::filesystem::path& golden,
+VerificationResult verify(const recording::FileTopic& input, const std::filesystem::path& golden,
                           OfflineSegmenter& segmenter, const Tolerances& tolerances,
                           const std::function<void(const FrameDifference&)>& on_difference,
                           const std::function<void(std::size_t)>& on_progress) {
@@ -74,7 +86,7 @@ VerificationResult verify(const std::filesystem::path& input, const std::filesys
   return result;
 }
 
-std::size_t write_golden(const std::filesystem::path& input, const std::filesystem::path& golden,
+std::size_t write_golden(const recording::FileTopic& input, const std::filesystem::path& golden,
                          OfflineSegmenter& segmenter,
                          const std::function<void(std::size_t)>& on_progress) {
   std::filesystem::path partial = golden;
@@ -89,8 +101,12 @@ std::size_t write_golden(const std::filesystem::path& input, const std::filesyst
     };
     const auto problems = segment_all(input, segmenter, write, on_progress);
     if (!problems.empty()) {
-      throw recording::FileError(input.string() + ": is damaged: " + problems.front() +
-                                 "; `cleave recover` keeps what is intact");
+      throw recording::FileError(input.file.string() + ": a cloud could not be read: " +
+                                 problems.front() + "; `cleave recover` keeps what is intact");
+    }
+    if (frames == 0) {
+      throw recording::FileError(
+          input.file.string() + ": holds no cloud: a golden file of no frames would prove nothing");
     }
     writer.close();
     std::filesystem::rename(partial, golden);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cleave/recording/golden.hpp"
+#include "recording/ros/file_topic.hpp"
 
 namespace cleave::client {
 
@@ -22,7 +23,7 @@ struct VerificationResult {
   std::size_t different = 0;
   std::size_t not_expected = 0;       // clouds that the golden recording does not know
   std::size_t missing = 0;            // frames of the golden recording without a cloud
-  std::vector<std::string> problems;  // damage of the files
+  std::vector<std::string> problems;  // what could not be read of the files
   [[nodiscard]] bool passed() const {
     return frames > 0 && different + not_expected + missing == 0 && problems.empty();
   }
@@ -31,14 +32,15 @@ struct VerificationResult {
 // Segments every cloud of `input`, and tells of each frame that differs. `on_progress` is told how
 // many frames are done. Throws recording::FileError.
 [[nodiscard]] VerificationResult verify(
-    const std::filesystem::path& input, const std::filesystem::path& golden,
+    const recording::FileTopic& input, const std::filesystem::path& golden,
     OfflineSegmenter& segmenter, const Tolerances& tolerances,
     const std::function<void(const FrameDifference&)>& on_difference,
     const std::function<void(std::size_t)>& on_progress);
 
 // Segments every cloud of `input` and writes labels and segments to `golden`, which appears whole
-// or not at all. The same clouds make the same file. Returns the number of frames.
-std::size_t write_golden(const std::filesystem::path& input, const std::filesystem::path& golden,
+// or not at all. The same clouds make the same file. Returns the number of frames. Throws
+// recording::FileError: nothing was segmented, or a cloud could not be read.
+std::size_t write_golden(const recording::FileTopic& input, const std::filesystem::path& golden,
                          OfflineSegmenter& segmenter,
                          const std::function<void(std::size_t)>& on_progress);
 

@@ -1,4 +1,5 @@
-// CDR as ROS 2 and DDS write it (XCDR1, little endian): numbers are aligned to their own size.
+// CDR as ROS 2 and DDS write it (XCDR1): numbers are aligned to their own size. We write it in
+// little endian, and read either.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "recording/cdr/byte_order.hpp"
 #include "recording/mcap/bytes.hpp"
 
 namespace cleave::recording {
@@ -43,15 +45,19 @@ class CdrWriter {
   Bytes bytes_;
 };
 
-// Throws DataError where a message is too short, or is not little-endian XCDR1.
+// Throws DataError where a message is too short, or is no XCDR1.
 class CdrReader {
  public:
   explicit CdrReader(ByteView message);
+  // The serialisation of ROS 1: the same fields, in little endian, but without encapsulation,
+  // padding and NULs.
+  [[nodiscard]] static CdrReader of_ros1(ByteView message);
 
   template <class Number>
   [[nodiscard]] Number number() {
     align(sizeof(Number));
-    return source_.number<Number>();
+    const auto value = source_.number<Number>();
+    return big_endian_ ? byte_swapped(value) : value;
   }
   [[nodiscard]] bool boolean() { return number<std::uint8_t>() != 0; }
   [[nodiscard]] std::string string();
@@ -59,7 +65,8 @@ class CdrReader {
   // The length of a sequence of elements that take `smallest_element` bytes or more: a length that
   // lies is found before anybody asks for memory.
   [[nodiscard]] std::size_t length(std::size_t smallest_element);
-  // The elements of a sequence of numbers, in place, as bytes.
+  [[nodiscard]] bool is_ros1() const { return ros1_; }
+  // The elements of a sequence of numbers, in place, as bytes, in the byte order of the message.
   template <class Number>
   [[nodiscard]] ByteView numbers() {
     const std::size_t count = length(sizeof(Number));
@@ -68,9 +75,12 @@ class CdrReader {
   }
 
  private:
+  CdrReader(ByteView body, bool big_endian, bool ros1);
   void align(std::size_t size);
-  std::size_t size_;
+  std::size_t size_;  // without the encapsulation
   ByteSource source_;
+  bool big_endian_ = false;
+  bool ros1_ = false;
 };
 
 }  // namespace cleave::recording

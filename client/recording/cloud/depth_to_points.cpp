@@ -44,6 +44,19 @@ void DepthProjection::write_points(const DepthRows& image, float* xyz) const {
   }
 }
 
+void DepthProjection::write_points(std::span<const float> depth_m, float* xyz) const {
+  std::size_t i = 0;
+  for (const float row : row_) {
+    for (const float column : column_) {
+      const float z = depth_m[i++];
+      xyz[0] = column * z;
+      xyz[1] = row * z;
+      xyz[2] = z;
+      xyz += 3;
+    }
+  }
+}
+
 Intrinsics intrinsics_from_fov(std::uint32_t width, std::uint32_t height, float horizontal_rad,
                                float vertical_rad) {
   if (!is_angle_of_view(horizontal_rad) || !is_angle_of_view(vertical_rad)) return {};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "recording/cloud/projection.hpp"
@@ -27,6 +28,8 @@ class DepthProjection {
 
   // Writes width * height points; the image must have the size of the construction. Deterministic.
   void write_points(const DepthRows& image, float* xyz) const;
+  // The same with a depth in metres a pixel, row-major; NaN = no measurement.
+  void write_points(std::span<const float> depth_m, float* xyz) const;
 
  private:
   std::vector<float> column_;  // x / z of a column

@@ -46,10 +46,14 @@ FrameReader::FrameReader(const std::filesystem::path& path, Selection selection)
     throw FileError(path.string() + ": holds no messages" +
                     (mcap_.problems().empty() ? "" : ": " + mcap_.problems().front()));
   }
-  rewind();
+  begin();
 }
 
 void FrameReader::rewind() {
+  begin();
+}
+
+void FrameReader::begin() {
   const std::uint64_t start_ns = mcap_.start_ns();
   mcap_.limit(start_ns + offset_ns(selection_.start_s),
               selection_.end_s ? start_ns + offset_ns(*selection_.end_s) : ~std::uint64_t{0});
@@ -64,6 +68,12 @@ std::vector<std::string> FrameReader::problems() const {
   std::vector<std::string> all = mcap_.problems();
   all.insert(all.end(), problems_.begin(), problems_.end());
   return all;
+}
+
+std::map<std::string, std::uint64_t> FrameReader::losses() const {
+  const std::uint64_t damaged = problems().size();
+  if (damaged == 0) return {};
+  return {{"damaged", damaged}};
 }
 
 std::optional<Frame> FrameReader::next() {

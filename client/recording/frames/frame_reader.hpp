@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "recording/frames/frame.hpp"
+#include "recording/frames/frame_input.hpp"
 #include "recording/frames/ros_messages.hpp"
 #include "recording/mcap/reader.hpp"
 
@@ -26,18 +27,17 @@ struct Selection {
 
 // Frames come in the order in which they were recorded. Frames that are damaged are passed over and
 // named in problems(); messages of other recorders, too, without a word. Deterministic.
-class FrameReader {
+class FrameReader : public FrameInput {
  public:
   // Throws FileError: it cannot be opened, is no MCAP, or holds nothing at all.
   explicit FrameReader(const std::filesystem::path& path, Selection selection = {});
 
-  // Empty at the end. Throws FileError when the disk fails.
-  [[nodiscard]] std::optional<Frame> next();
-  // Begins again.
-  void rewind();
+  [[nodiscard]] std::optional<Frame> next() override;
+  void rewind() override;
+  [[nodiscard]] std::vector<std::string> problems() const override;
+  [[nodiscard]] std::map<std::string, std::uint64_t> losses() const override;
 
   [[nodiscard]] const McapReader& mcap() const { return mcap_; }
-  [[nodiscard]] std::vector<std::string> problems() const;
   // Seconds from the first to the last message.
   [[nodiscard]] double duration_s() const;
 
@@ -50,6 +50,7 @@ class FrameReader {
     std::optional<std::vector<float>> points;
     std::optional<ReceivedImage> labels;
   };
+  void begin();
   [[nodiscard]] std::optional<Frame> add(const Message& message);
   void check_contract(const Schema& schema);
   [[nodiscard]] Cloud complete_cloud(const Message& message, Parts& parts) const;

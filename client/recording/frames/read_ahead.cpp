@@ -7,7 +7,10 @@ namespace cleave::recording {
 
 ReadAhead::ReadAhead(const std::filesystem::path& path, const Selection& selection, bool loop,
                      std::size_t frames_ahead)
-    : loop_(loop), frames_ahead_(frames_ahead), reader_(path, selection) {
+    : ReadAhead(std::make_unique<FrameReader>(path, selection), loop, frames_ahead) {}
+
+ReadAhead::ReadAhead(std::unique_ptr<FrameInput> input, bool loop, std::size_t frames_ahead)
+    : loop_(loop), frames_ahead_(frames_ahead), input_(std::move(input)) {
   thread_ = std::thread([this] { run(); });
 }
 
@@ -38,12 +41,17 @@ std::vector<std::string> ReadAhead::problems() const {
   return problems_;
 }
 
+std::map<std::string, std::uint64_t> ReadAhead::losses() const {
+  const std::lock_guard lock(mutex_);
+  return losses_;
+}
+
 void ReadAhead::run() {
   try {
     std::uint64_t number = 0;
     while (pass(number) > 0 && loop_) {
       ++number;
-      reader_.rewind();
+      input_->rewind();
     }
     end("");
   } catch (const std::exception& error) {
@@ -54,7 +62,7 @@ void ReadAhead::run() {
 // How many frames were handed over; 0 when asked to stop.
 std::size_t ReadAhead::pass(std::uint64_t number) {
   std::size_t count = 0;
-  while (auto frame = reader_.next()) {
+  while (auto frame = input_->next()) {
     if (!hand_over({std::move(*frame), number})) return 0;
     ++count;
   }
@@ -62,7 +70,9 @@ std::size_t ReadAhead::pass(std::uint64_t number) {
 }
 
 bool ReadAhead::hand_over(AheadFrame frame) {
+  std::map<std::string, std::uint64_t> losses = input_->losses();
   std::unique_lock lock(mutex_);
+  losses_ = std::move(losses);
   changed_.wait(lock, [this] { return ready_.size() < frames_ahead_ || stop_; });
   if (stop_) return false;
   ready_.push_back(std::move(frame));
@@ -71,10 +81,12 @@ bool ReadAhead::hand_over(AheadFrame frame) {
 }
 
 void ReadAhead::end(const std::string& failure) {
-  std::vector<std::string> problems = reader_.problems();
+  std::vector<std::string> problems = input_->problems();
+  std::map<std::string, std::uint64_t> losses = input_->losses();
   const std::lock_guard lock(mutex_);
   failure_ = failure;
   problems_ = std::move(problems);
+  losses_ = std::move(losses);
   ended_ = true;
   changed_.notify_all();
 }

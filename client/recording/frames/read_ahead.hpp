@@ -6,12 +6,15 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "recording/frames/frame_input.hpp"
 #include "recording/frames/frame_reader.hpp"
 
 namespace cleave::recording {
@@ -26,7 +29,10 @@ class ReadAhead {
   // With `loop` the selection is read over and over, as long as it holds anything. Throws what
   // FrameReader throws.
   ReadAhead(const std::filesystem::path& path, const Selection& selection, bool loop,
-            std::size_t frames_ahead = 4);
+            std::size_t frames_ahead = default_frames_ahead);
+  // The same of any input.
+  ReadAhead(std::unique_ptr<FrameInput> input, bool loop,
+            std::size_t frames_ahead = default_frames_ahead);
   ~ReadAhead();
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
@@ -35,10 +41,13 @@ class ReadAhead {
   // Throws FileError when the disk has failed.
   [[nodiscard]] Result next(std::chrono::milliseconds timeout, AheadFrame& frame);
 
-  // What was damaged, once the end has been reported.
+  // Of the input: so far.
+  [[nodiscard]] std::map<std::string, std::uint64_t> losses() const;
+  // Once the end has been reported.
   [[nodiscard]] std::vector<std::string> problems() const;
 
  private:
+  static constexpr std::size_t default_frames_ahead = 4;
   void run();
   std::size_t pass(std::uint64_t number);
   bool hand_over(AheadFrame frame);  // false: asked to stop
@@ -46,7 +55,7 @@ class ReadAhead {
 
   bool loop_;
   std::size_t frames_ahead_;
-  FrameReader reader_;  // of the thread
+  std::unique_ptr<FrameInput> input_;  // of the thread
 
   mutable std::mutex mutex_;  // guards all below but the thread
   std::condition_variable changed_;
@@ -55,6 +64,7 @@ class ReadAhead {
   bool stop_ = false;
   std::string failure_;
   std::vector<std::string> problems_;
+  std::map<std::string, std::uint64_t> losses_;
   std::thread thread_;  // last: it uses all of the above
 };
 

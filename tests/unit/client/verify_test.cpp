@@ -21,13 +21,13 @@ class Verify : public testing::Test {
     }
     writer.close();
     OfflineSegmenter segmenter({}, 2);
-    EXPECT_EQ(write_golden(input_, golden_, segmenter, [](std::size_t) {}), frames);
+    EXPECT_EQ(write_golden({input_}, golden_, segmenter, [](std::size_t) {}), frames);
   }
 
   VerificationResult run(std::size_t workers, const Tolerances& tolerances = {}) {
     OfflineSegmenter segmenter({}, workers);
     return verify(
-        input_, golden_, segmenter, tolerances,
+        {input_}, golden_, segmenter, tolerances,
         [this](const FrameDifference& difference) { found_.push_back(difference); },
         [](std::size_t) {});
   }
@@ -112,7 +112,7 @@ TEST_F(Verify, FindsFramesThatAreMissingOnEitherSide) {
 TEST_F(Verify, WritesTheSameGoldenFileAgain) {
   const recording::Bytes before = recording::read_all(golden_);
   OfflineSegmenter segmenter({}, 4);
-  (void)write_golden(input_, golden_, segmenter, [](std::size_t) {});
+  (void)write_golden({input_}, golden_, segmenter, [](std::size_t) {});
   EXPECT_EQ(recording::read_all(golden_), before);
 }
 

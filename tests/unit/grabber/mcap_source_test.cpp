@@ -4,6 +4,7 @@
 
 #include "recording/frames/frame_writer.hpp"
 #include "tests/unit/recording/recording_files.hpp"
+#include "tests/unit/ros/ros_bytes.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -77,6 +78,35 @@ TEST_F(McapSourceFile, PlaysWhatIsIntactAndCountsTheRest) {
   while (source.next(seconds(20), frame) == Poll::frame) ++frames;
   EXPECT_EQ(frames, 11);
   EXPECT_EQ(source.counts().unusable.at("damaged"), 1U);
+}
+
+TEST_F(McapSourceFile, PlaysATopicOfABagOfRosAndCountsWhatItCannotByCause) {
+  using namespace recording::ros;
+  const recording::Cloud cloud = recording::depth_cloud(1);
+  CloudSpec empty;
+  empty.width = 0;
+  Bag(file_)
+      .add("/points", cloud_type, 1, bytes_of_cloud(empty))
+      .add("/points", cloud_type, 2, bytes_of_cloud(cloud_of(cloud.xyz, 32, 24)))
+      .add("/points", cloud_type, 3,
+           bytes_of_cloud(cloud_of(std::vector<float>(3 * 848 * 480), 848, 480)))
+      .add("/points", cloud_type, 9, bytes_of_cloud(cloud_of(cloud.xyz, 32, 24)))
+      .close();
+  McapSource source(file_, false, "/points");
+  ASSERT_FALSE(source.open());
+  std::vector<float> xyz(32 * 24 * 3);
+  Frame frame;
+  ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+  source.write_points(xyz.data());
+  EXPECT_TRUE(recording::same_points(xyz, cloud.xyz));
+  EXPECT_EQ(frame.until_next.value().count(), 7);
+  ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+  EXPECT_EQ(source.next(seconds(20), frame), Poll::end);
+  EXPECT_EQ(source.counts().unusable, (std::map<std::string, std::uint64_t>{
+                                          {"no points", 1}, {"more than 640 x 480 points", 1}}));
+  const Failure failure = McapSource(file_, false, "/elsewhere").open();
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->find("has no topic '/elsewhere'"), std::string::npos) << *failure;
 }
 
 }  // namespace

@@ -43,10 +43,25 @@ TEST(Cdr, RefusesALengthThatTheMessageCannotHold) {
   EXPECT_THROW((void)reader.length(4), DataError);
 }
 
-TEST(Cdr, RefusesOtherEncodings) {
-  const Bytes big_endian(8);
-  EXPECT_THROW(CdrReader reader(big_endian), DataError);
+TEST(Cdr, ReadsBigEndianNumbersToo) {
+  Bytes message(8);  // its encapsulation says big endian
+  message[7] = std::byte{9};
+  EXPECT_EQ(CdrReader(message).number<std::uint32_t>(), 9U);
+}
+
+TEST(Cdr, RefusesOtherEncodingsByName) {
   EXPECT_THROW(CdrReader reader(ByteView{}), DataError);
+  for (const auto& [second, name] :
+       {std::pair{3, "PL_CDR"}, {7, "XCDR2"}, {77, "does not begin"}}) {
+    Bytes message(8);
+    message[1] = static_cast<std::byte>(second);
+    try {
+      const CdrReader reader(message);
+      FAIL() << name;
+    } catch (const DataError& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(SegmentListMessage, GivesBackEveryField) {

@@ -1,0 +1,118 @@
+#include "cleave/commands/segment_recording.hpp"
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "cleave/cloud/pcd_view.hpp"
+#include "cleave/cloud/segment_table.hpp"
+#include "cleave/commands/command.hpp"
+#include "cleave/console/json.hpp"
+#include "cleave/recording/frame_sink.hpp"
+#include "cleave/recording/frame_source.hpp"
+#include "recording/pcd/writer.hpp"
+#include "segmentation/segmenter.hpp"
+
+namespace cleave::client {
+namespace {
+
+using recording::PcdCloud;
+using segmentation::Outcome;
+using segmentation::Segmentation;
+
+// Label maps and segment lists of the recording are passed over: they are made anew.
+std::optional<recording::Cloud> next_cloud(FrameSource& source) {
+  while (auto frame = source.next()) {
+    if (auto* const cloud = std::get_if<recording::Cloud>(&frame->content)) {
+      return std::move(*cloud);
+    }
+  }
+  return std::nullopt;
+}
+
+Json json_of(const std::string& file, std::size_t points, const Segmentation& result) {
+  Json segments = Json::array();
+  for (const auto& segment : result.segments) segments.push_back(client::json_of(segment));
+  return {{"output", file}, {"points", points}, {"segments", std::move(segments)}};
+}
+
+class Run {
+ public:
+  explicit Run(const RecordingToSegment& recording)
+      : recording_(recording), segmenter_(recording.options) {}
+
+  int run() {
+    const auto source = open_frame_source(recording_.input, "camera");
+    refuse_existing(recording_.output);
+    while (const auto cloud = next_cloud(*source)) segment(*cloud);
+    report(source->skipped() + failed_);
+    return frames_.empty() || source->skipped() + failed_ > 0 ? exit_failed : exit_done;
+  }
+
+ private:
+  void segment(const recording::Cloud& cloud) {
+    const std::uint32_t width = cloud.header.width;
+    const std::uint32_t height = cloud.header.height;
+    PcdCloud pcd = PcdCloud::of_points(cloud.xyz, width, height);
+    std::vector<std::uint16_t> labels(pcd.header().points());
+    Segmentation result;
+    if (segmenter_.segment(view_of(pcd), labels, result) != Outcome::segmented) {
+      spdlog::warn("frame {}: not segmented: {}", cloud.header.frame_id,
+                   "no point is finite, or the segmentation takes no cloud of its size");
+      ++failed_;
+      return;
+    }
+    pcd.set_labels(labels);
+    std::filesystem::create_directories(recording_.output);
+    const std::filesystem::path file =
+        std::filesystem::path(recording_.output) / fmt::format("frame_{:06}.pcd", ++written_);
+    write_pcd(file, pcd);
+    if (!recording_.json) {
+      std::cout << fmt::format("{}: {} points, {} segments\n", file.string(), labels.size(),
+                               result.segments.size());
+    }
+    frames_.push_back(json_of(file.string(), labels.size(), result));
+  }
+
+  void report(std::size_t lost) const {
+    if (recording_.json) {
+      std::cout << one_line({{"input", recording_.input},
+                             {"output", recording_.output},
+                             {"frames", frames_},
+                             {"not_segmented", lost}})
+                << '\n';
+    } else {
+      std::cout << fmt::format("{}: {} frames segmented, {} not\n", recording_.output, written_,
+                               lost);
+    }
+  }
+
+  const RecordingToSegment& recording_;
+  segmentation::Segmenter segmenter_;
+  std::size_t written_ = 0;
+  std::size_t failed_ = 0;
+  Json frames_ = Json::array();
+};
+
+}  // namespace
+
+int segment_recording(const RecordingToSegment& recording) {
+  return Run(recording).run();
+}
+
+PcdCloud frame_of_recording(const std::string& input, std::uint64_t number) {
+  const auto source = open_frame_source(input, "camera");
+  std::uint64_t count = 0;
+  while (const auto cloud = next_cloud(*source)) {
+    if (++count < number) continue;
+    return PcdCloud::of_points(cloud->xyz, cloud->header.width, cloud->header.height);
+  }
+  throw std::runtime_error(input + ": has " + std::to_string(count) +
+                           " frames that can be read; frame " + std::to_string(number) +
+                           " is not one of them");
+}
+
+}  // namespace cleave::client

@@ -1,0 +1,27 @@
+// `cleave segment` of a recording: one labelled PCD file a frame.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "recording/pcd/cloud.hpp"
+#include "segmentation/options.hpp"
+
+namespace cleave::client {
+
+struct RecordingToSegment {
+  std::string input;   // a recording, perhaps with ?topic=
+  std::string output;  // a folder for all frames
+  bool json = false;
+  segmentation::Options options;
+};
+
+// Writes frame_000001.pcd, ... into the folder `output`, which must not exist; frames that cannot
+// be read or segmented are named and counted. Returns the program's exit code: 1 where there were
+// any, or no frame. Throws what open_frame_source() throws.
+[[nodiscard]] int segment_recording(const RecordingToSegment& recording);
+
+// One frame of a recording, from 1. Throws std::runtime_error where it is not there.
+[[nodiscard]] recording::PcdCloud frame_of_recording(const std::string& input, std::uint64_t number);
+
+}  // namespace cleave::client

@@ -1,0 +1,11 @@
+// What the interop tests run under node.
+#pragma once
+
+#include <filesystem>
+
+namespace cleave::test {
+
+// Installs the packages of mcap/package-lock.json into `folder`, once. A failure fails the test.
+void install_npm_packages(const std::filesystem::path& folder);
+
+}  // namespace cleave::test

@@ -1,0 +1,122 @@
+// A bag of ROS 2 through convert, verify and segment, as our own recordings go.
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cleave/commands/convert_command.hpp"
+#include "cleave/commands/segment_command.hpp"
+#include "cleave/recording/verification.hpp"
+#include "recording/error.hpp"
+#include "recording/pcd/cloud.hpp"
+#include "temporary_folder.hpp"
+#include "tests/unit/recording/recording_files.hpp"
+#include "tests/unit/ros/ros_bytes.hpp"
+
+namespace cleave::client {
+namespace {
+
+namespace fs = std::filesystem;
+using recording::PcdCloud;
+using recording::ros::Bag;
+using recording::ros::bytes_of_cloud;
+using recording::ros::cloud_of;
+
+int run(void (*add)(CLI::App&, Action&), std::vector<std::string> words) {
+  CLI::App app;
+  Action action;
+  add(app, action);
+  std::reverse(words.begin(), words.end());
+  app.parse(words);
+  return action();
+}
+
+class ForeignBag : public testing::Test {
+ protected:
+  ForeignBag() {
+    Bag bag(bag_);
+    for (std::uint64_t id = 1; id <= 3; ++id) {
+      const recording::Cloud cloud = recording::depth_cloud(id);
+      bag.add("/points", recording::ros::cloud_type, static_cast<std::int64_t>(id) * 1000,
+              bytes_of_cloud(cloud_of(cloud.xyz, 32, 24)));
+    }
+    bag.add("/rosout", "rcl_interfaces/msg/Log", 5000, recording::Bytes(8)).close();
+  }
+  [[nodiscard]] std::size_t update(const fs::path& input) const {
+    OfflineSegmenter segmenter({}, 2);
+    return write_golden({input}, golden_, segmenter, [](std::size_t) {});
+  }
+
+  TemporaryFolder folder_;
+  const fs::path bag_ = folder_.path() / "bag.mcap";
+  const fs::path golden_ = folder_.path() / "golden.mcap";
+  const fs::path out_ = folder_.path() / "out";
+};
+
+TEST_F(ForeignBag, IsConvertedToPcdAndToARecordingOfOurs) {
+  EXPECT_EQ(run(add_convert_command, {"convert", bag_, out_}), exit_done);
+  const PcdCloud pcd = PcdCloud::read(out_ / "frame_000003.pcd");
+  const recording::Cloud expected = recording::depth_cloud(3);
+  EXPECT_TRUE(recording::same_points({pcd.xyz().begin(), pcd.xyz().end()}, expected.xyz));
+  const std::string ours = folder_.path() / "ours.mcap";
+  EXPECT_EQ(run(add_convert_command, {"convert", "mcap:" + bag_.string() + "?topic=/points", ours}),
+            exit_done);
+  const std::vector<recording::Frame> frames = recording::read_frames(ours);
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(frames[0].header().sensor, "camera");
+}
+
+TEST_F(ForeignBag, LeavesOutWhatARecordingCannotHoldAndKeepsNoEmptyFile) {
+  const fs::path large = folder_.path() / "large.mcap";
+  Bag(large)
+      .add("/points", recording::ros::cloud_type, 1,
+           bytes_of_cloud(cloud_of(std::vector<float>(3 * 848 * 480, 1), 848, 480)))
+      .close();
+  EXPECT_EQ(run(add_convert_command, {"convert", large, folder_.path() / "ours.mcap"}),
+            exit_failed);
+  EXPECT_FALSE(fs::exists(folder_.path() / "ours.mcap"));
+  EXPECT_EQ(run(add_convert_command, {"convert", large, out_}), exit_done);
+  EXPECT_THROW((void)update(large), recording::FileError);
+  EXPECT_FALSE(fs::exists(golden_));
+}
+
+TEST_F(ForeignBag, IsVerifiedAgainstItsGoldenFile) {
+  EXPECT_EQ(update(bag_), 3U);
+  OfflineSegmenter segmenter({}, 2);
+  const VerificationResult result = verify(
+      {bag_, "/points"}, golden_, segmenter, {}, [](const FrameDifference&) {}, [](std::size_t) {});
+  EXPECT_TRUE(result.passed());
+  EXPECT_EQ(result.frames, 3U);
+}
+
+TEST_F(ForeignBag, OfNothingUsableMakesNoGoldenFileAndSaysWhy) {
+  Bag(bag_).add("/rosout", "rcl_interfaces/msg/Log", 1, recording::Bytes(8)).close();
+  try {
+    (void)update(bag_);
+    FAIL() << "a golden file of no frames";
+  } catch (const recording::FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("/rosout"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(fs::exists(golden_));
+}
+
+TEST_F(ForeignBag, IsSegmentedIntoALabelledPcdFileAFrame) {
+  EXPECT_EQ(run(add_segment_command, {"segment", bag_, out_, "--json"}), exit_done);
+  for (const char* const name : {"frame_000001.pcd", "frame_000002.pcd", "frame_000003.pcd"}) {
+    EXPECT_TRUE(PcdCloud::read(out_ / name).header().find("label")) << name;
+  }
+}
+
+TEST_F(ForeignBag, GivesOneFrameWhereOneIsAskedFor) {
+  const fs::path pcd = folder_.path() / "second.pcd";
+  EXPECT_EQ(run(add_segment_command, {"segment", bag_, pcd, "--frame", "2"}), exit_done);
+  const PcdCloud cloud = PcdCloud::read(pcd);
+  EXPECT_TRUE(recording::same_points({cloud.view().xyz, cloud.view().xyz + 3 * 32 * 24},
+                                     recording::depth_cloud(2).xyz));
+  EXPECT_THROW((void)run(add_segment_command, {"segment", bag_, pcd, "--frame", "4"}),
+               std::runtime_error);
+  EXPECT_THROW((void)run(add_segment_command, {"segment", bag_, out_, "--frame", "2"}), UsageError);
+}
+
+}  // namespace
+}  // namespace cleave::client
