@@ -55,7 +55,7 @@ Json json_of(const McapReader& reader, const std::map<std::string, TopicInfo>& t
   Json metadata = Json::object();
   for (const auto& record : reader.contents().metadata) metadata[record.name] = record.entries;
   return {{"bytes", reader.size_bytes()},
-          {"complete", reader.indexed()},
+          {"complete", reader.contents().closed},
           {"start_ns", reader.start_ns()},
           {"duration_s", duration_s(reader)},
           {"chunks", reader.contents().chunks.size()},
@@ -65,10 +65,10 @@ Json json_of(const McapReader& reader, const std::map<std::string, TopicInfo>& t
 }
 
 std::string text_of(const McapReader& reader, const std::map<std::string, TopicInfo>& topics) {
-  std::string text =
-      fmt::format("{:.1f} MB in {} chunks, {:.1f} s{}\n\n",
-                  static_cast<double>(reader.size_bytes()) / 1e6, reader.contents().chunks.size(),
-                  duration_s(reader), reader.indexed() ? "" : ", not complete: it has no index");
+  std::string text = fmt::format("{:.1f} MB in {} chunks, {:.1f} s{}\n\n",
+                                 static_cast<double>(reader.size_bytes()) / 1e6,
+                                 reader.contents().chunks.size(), duration_s(reader),
+                                 reader.contents().closed ? "" : ", not complete: it has no index");
   Table table({{"TOPIC", Align::left},
                {"MESSAGES", Align::right},
                {"MB", Align::right},
