@@ -39,7 +39,8 @@ std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
 
 }  // namespace
 
-std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop) {
+std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop,
+                                    recording::GapLimit gaps) {
   const std::size_t colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : uri.substr(colon + 1);
@@ -48,7 +49,7 @@ std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mod
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
     if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
     if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
-    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop);
+    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop, gaps);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
 }

@@ -9,6 +9,7 @@
 #include "cleave/commands/live_options.hpp"
 #include "cleave/console/live_line.hpp"
 #include "cleave/console/terminal.hpp"
+#include "cleave/recording/extras.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 
@@ -33,12 +34,13 @@ int run(const ConvertOptions& options) {
     ++frames;
     if (terminal) line.show(std::to_string(frames) + " frames");
   }
+  const std::size_t lost_extras = copy_extras(options.input, *sink);
   sink->close();
   line.erase();
   std::cout << options.output << ": " << frames << " frames";
   if (source->skipped() > 0) std::cout << ", " << source->skipped() << " could not be read";
   std::cout << '\n';
-  return frames > 0 && source->skipped() == 0 ? exit_done : exit_failed;
+  return frames > 0 && source->skipped() == 0 && lost_extras == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace
@@ -65,8 +67,8 @@ void add_convert_command(CLI::App& app, Action& action) {
       "the\n"
       "points that cleave-grabber publishes when it plays the file. Frames become "
       "frame_000001.pcd, ..., with the field label\n"
-      "where label maps were recorded. What cannot be read is named, left out, and makes the exit\n"
-      "code 1.");
+      "where label maps were recorded. Attachments and metadata go from recording to recording.\n"
+      "What cannot be read is named, left out, and makes the exit code 1.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
