@@ -40,6 +40,7 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path) {
   }
   file.text("source", config.source);
   file.integer("fps", config.fps, 1, 240);
+  file.number("max_gap_s", config.max_gap_s, 0, 86'400);
   file.boolean("loop", config.loop);
   read_mode(file, config.mode);
   file.integer("window", config.window, 1, 4);

@@ -22,6 +22,7 @@ struct GrabberConfig {
   std::string coordinate_frame;     // of the points; empty = "<sensor>_optical"
   std::string source = "openni2:";  // URI, see sensor/make_source.hpp
   std::uint32_t fps = 30;           // 1 to 240: mode of a camera, pace of recordings
+  double max_gap_s = 1;             // 0 to 86400: longest pause between two frames of mcap:
   bool loop = false;                // recordings start again at their end
   Mode mode = Mode::live;
   std::uint32_t window = 4;  // 1 to 4 frames in flight in lossless mode

@@ -42,13 +42,18 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 
 }  // namespace
 
-McapSource::McapSource(const std::filesystem::path& path, bool loop, std::string topic)
-    : path_(std::filesystem::absolute(path)), topic_(std::move(topic)), loop_(loop) {}
+McapSource::McapSource(const std::filesystem::path& path, bool loop, std::string topic,
+                       recording::GapLimit gaps)
+    : path_(std::filesystem::absolute(path)),
+      topic_(std::move(topic)),
+      loop_(loop),
+      gaps_(gaps) {}
 
 Failure McapSource::open() {
   held_.reset();
   next_.reset();
   ended_ = false;
+  said_jump_ = false;
   try {
     auto input = recording::open_frames({path_, topic_}, {recording::Kind::cloud});
     for (const std::string& remark : input->remarks()) {
@@ -109,11 +114,18 @@ Poll McapSource::next(std::chrono::milliseconds timeout, Frame& frame) {
   frame = frame_of(cloud_of(*held_).header);
   frame.begins_epoch = before && (before->pass != held_->pass ||
                                   before->frame.header().epoch != held_->frame.header().epoch);
-  if (next_ && next_->pass == held_->pass) {
-    const std::int64_t gap_ns = next_->frame.log_time_ns - held_->frame.log_time_ns;
-    frame.until_next = std::chrono::nanoseconds(std::max<std::int64_t>(gap_ns, 0));
-  }
+  if (next_ && next_->pass == held_->pass) frame.until_next = until_next();
   return Poll::frame;
+}
+
+std::chrono::nanoseconds McapSource::until_next() {
+  const std::int64_t before_ns = held_->frame.log_time_ns;
+  const std::int64_t after_ns = next_->frame.log_time_ns;
+  const recording::GapLimit::Gap gap = gaps_.between(before_ns, after_ns);
+  if (gap.is_jump && !std::exchange(said_jump_, true)) {
+    spdlog::warn("{}: {}", path_.string(), gaps_.text_of_jump(before_ns, after_ns));
+  }
+  return gap.wait;
 }
 
 void McapSource::write_points(float* xyz) {

@@ -43,6 +43,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   std::optional<std::string> source, sensor;
   std::optional<std::uint32_t> fps;
   std::optional<std::uint64_t> frames;
+  std::optional<double> max_gap_s;
   bool loop = false, lossless = false, no_shared_memory = false;
   app.add_option("--config", file, "configuration file (YAML)")->required();
   app.add_option("--source", source, "where frames come from, a URI as below");
@@ -51,6 +52,8 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   app.add_option("--fps", fps, "frames a second")->check(CLI::Range(1, 240));
   app.add_option("--frames", frames, "end after so many published frames")
       ->check(CLI::PositiveNumber);
+  app.add_option("--max-gap", max_gap_s, "longest pause between two frames of mcap:, in seconds; 1")
+      ->check(CLI::Range(0.0, 86'400.0));
   app.add_flag("--loop", loop, "start recordings again at their end");
   app.add_flag("--lossless", lossless, "publish a frame only when earlier ones are segmented");
   app.add_flag("--no-shared-memory", no_shared_memory, "send clouds over loopback");
@@ -64,6 +67,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   if (source) config.source = *source;
   if (sensor) config.sensor = *sensor;
   if (fps) config.fps = *fps;
+  if (max_gap_s) config.max_gap_s = *max_gap_s;
   if (loop) config.loop = true;
   if (lossless) config.mode = config::Mode::lossless;
   if (no_shared_memory) config.stream.shared_memory = false;

@@ -43,7 +43,7 @@ Recorded read(const std::filesystem::path& file) {
     if (frame->kind() == Kind::labels) add(recorded.labels, *frame);
     if (frame->kind() == Kind::segments) add(recorded.lists, *frame);
   }
-  EXPECT_TRUE(reader.mcap().indexed()) << file;
+  EXPECT_TRUE(reader.mcap().contents().closed) << file;
   EXPECT_TRUE(reader.problems().empty()) << file;
   return recorded;
 }

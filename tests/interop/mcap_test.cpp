@@ -3,8 +3,10 @@
 
 #include "recording/frames/frame_writer.hpp"
 #include "recording/mcap/reader.hpp"
+#include "recording/mcap/recover.hpp"
 #include "tests/integration/process.hpp"
 #include "tests/interop/npm_packages.hpp"
+#include "tests/support/data_folder.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::test {
@@ -16,11 +18,18 @@ class McapInterop : public testing::Test {
  protected:
   void SetUp() override {
     install_npm_packages(folder_);
-    fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / "read_all.mjs", folder_ / "read_all.mjs",
-                  fs::copy_options::overwrite_existing);
+    for (const char* const script : {"read_all.mjs", "compare_records.mjs"}) {
+      fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / script, folder_ / script,
+                    fs::copy_options::overwrite_existing);
+    }
   }
   [[nodiscard]] Process read(const fs::path& file) const {
     return Process({"/usr/bin/env", "node", (folder_ / "read_all.mjs").string(), file.string()});
+  }
+  // Every file of a folder with the list of its records.
+  [[nodiscard]] Process compare(const fs::path& folder, const fs::path& lists) const {
+    return Process({"/usr/bin/env", "node", (folder_ / "compare_records.mjs").string(),
+                    folder.string(), lists.string()});
   }
 
   const fs::path folder_ = CLEAVE_MCAP_MODULES;
@@ -62,6 +71,20 @@ TEST_F(McapInterop, NoticesAChangedByte) {
   recording::write_all(file, bytes);
   Process reader = read(file);
   EXPECT_NE(reader.wait(), 0) << reader.output();
+}
+
+TEST_F(McapInterop, FindsEveryRecordOfTheConformanceFilesInWhatRecoverMadeOfThem) {
+  const auto conformance = tests::find_data("mcap-conformance");
+  if (!conformance) GTEST_SKIP() << "mcap-conformance is absent from the data folder";
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(*conformance)) {
+    if (entry.path().extension() != ".mcap") continue;
+    (void)recording::recover(entry.path(), files_.path() / entry.path().filename());
+    ++files;
+  }
+  Process comparison = compare(files_.path(), *conformance);
+  EXPECT_EQ(comparison.wait(std::chrono::minutes(2)), 0) << comparison.log();
+  EXPECT_EQ(comparison.output(), std::to_string(files) + " files are equal\n");
 }
 
 }  // namespace

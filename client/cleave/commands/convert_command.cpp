@@ -11,6 +11,7 @@
 #include "cleave/commands/live_options.hpp"
 #include "cleave/console/live_line.hpp"
 #include "cleave/console/terminal.hpp"
+#include "cleave/recording/extras.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/error.hpp"
@@ -41,6 +42,7 @@ int run(const ConvertOptions& options) {
     }
     if (terminal) line.show(std::to_string(frames) + " frames");
   }
+  const std::size_t lost_extras = copy_extras(options.input, *sink);
   sink->close();
   line.erase();
   std::cout << options.output << ": " << frames << " frames";
@@ -50,7 +52,8 @@ int run(const ConvertOptions& options) {
   }
   std::cout << '\n';
   if (frames == 0) std::filesystem::remove(options.output);  // a recording, or a folder, of nothing
-  return frames > 0 && refused.empty() && source->skipped() == 0 ? exit_done : exit_failed;
+  const bool whole = refused.empty() && source->skipped() == 0 && lost_extras == 0;
+  return frames > 0 && whole ? exit_done : exit_failed;
 }
 
 }  // namespace
@@ -81,8 +84,8 @@ void add_convert_command(CLI::App& app, Action& action) {
       "the\n"
       "points that cleave-grabber publishes when it plays the file. Frames become "
       "frame_000001.pcd, ..., with the field label\n"
-      "where label maps were recorded. What cannot be read is named, left out, and makes the exit\n"
-      "code 1.");
+      "where label maps were recorded. Attachments and metadata go from recording to recording.\n"
+      "What cannot be read is named, left out, and makes the exit code 1.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -20,12 +20,14 @@ struct RecoverOptions {
 int run(const RecoverOptions& options) {
   refuse_existing(options.output);
   const recording::Recovery recovery = recording::recover(options.damaged, options.output);
-  for (const std::string& problem : recovery.problems) spdlog::warn("lost: {}", problem);
-  if (recovery.messages == 0) {
+  for (const std::string& problem : recovery.problems) spdlog::warn("damaged: {}", problem);
+  const std::uint64_t kept = recovery.messages + recovery.attachments + recovery.metadata;
+  if (kept == 0 && !recovery.problems.empty()) {
     std::filesystem::remove(options.output);
     throw std::runtime_error(options.damaged + ": no message of it is intact; nothing was written");
   }
-  std::cout << options.output << ": " << recovery.messages << " messages, "
+  std::cout << options.output << ": " << recovery.messages << " messages, " << recovery.attachments
+            << " attachments, " << recovery.metadata << " metadata records, "
             << recovery.problems.size() << " damaged places left out\n";
   return exit_done;
 }
@@ -42,7 +44,8 @@ void add_recover_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  cleave recover cut_off.mcap whole.mcap\n"
       "\n"
-      "Every chunk whose checksum is right is kept. A recorder that was killed, or that met a "
+      "Every chunk whose checksum is right is kept, with attachments and metadata. A recorder that "
+      "was killed, or that met a "
       "full\n"
       "disk, loses at most the last chunk: a second, or 4 MB before compression.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });

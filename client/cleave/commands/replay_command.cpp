@@ -25,6 +25,7 @@ struct ReplayOptions {
   std::string input;
   std::vector<std::string> topics;
   double rate = 1;
+  double max_gap_s = recording::GapLimit::default_s;
   bool as_fast_as_possible = false;
   bool loop = false;
   bool once = false;
@@ -57,6 +58,7 @@ ReplayPlan plan_of(const ReplayOptions& options) {
   plan.file = options.input;
   plan.selection = {selected_kinds(options), options.live.sensor, options.start_s, options.end_s};
   plan.rate = options.as_fast_as_possible ? 0 : options.rate;
+  plan.max_gap_s = options.max_gap_s;
   plan.loop = options.loop;
   if (options.lossless) plan.window = lossless_window;
   return plan;
@@ -133,6 +135,10 @@ void add_replay_command(CLI::App& app, Action& action) {
                    ->check(CLI::PositiveNumber);
   command->add_flag("--as-fast-as-possible", options->as_fast_as_possible, "without any pause")
       ->excludes(rate);
+  command
+      ->add_option("--max-gap", options.max_gap_s,
+                   "longest pause between two frames, in seconds of the recording; 1")
+      ->check(CLI::Range(0.0, 86'400.0));
   auto* once = command->add_flag("--once", options->once, "end after the last frame: the default");
   command->add_flag("--loop", options->loop, "begin again after the last frame")->excludes(once);
   command->add_option("--start", options->start_s, "seconds from the beginning")
@@ -147,6 +153,8 @@ void add_replay_command(CLI::App& app, Action& action) {
       "  cleave replay --topics cloud --loop run.mcap       the live segmenter segments again\n"
       "  cleave replay --lossless --as-fast-as-possible run.mcap\n"
       "\n"
+      "Where the recording's clock jumps, by days or backwards, it plays on after --max-gap at\n"
+      "most, and says so once.\n"
       "What is published equals what was recorded, epochs and frame ids included; only the\n"
       "times of arrival and publication are new, and epochs rise when a loop begins again. Waits\n"
       "for a first reader. Recorded labels and segments are refused while a segmenter publishes\n"

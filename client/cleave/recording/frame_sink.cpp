@@ -20,6 +20,13 @@ class McapSink : public FrameSink {
  public:
   explicit McapSink(const fs::path& path) : writer_(path) {}
   void write(recording::Frame frame) override { writer_.write(frame); }
+  void add_attachment(const recording::Attachment& attachment,
+                      recording::ByteView content) override {
+    writer_.add_attachment(attachment, content);
+  }
+  void add_metadata(const recording::Metadata& metadata) override {
+    writer_.add_metadata(metadata);
+  }
   void close() override { writer_.close(); }
 
  private:

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "recording/frames/frame.hpp"
+#include "recording/mcap/format.hpp"
 
 namespace cleave::client {
 
@@ -16,6 +17,10 @@ class FrameSink {
   FrameSink& operator=(const FrameSink&) = delete;
 
   virtual void write(recording::Frame frame) = 0;
+  // For what has a place for them: recordings. `content` is that of the attachment's record.
+  virtual void add_attachment(const recording::Attachment& /*attachment*/,
+                              recording::ByteView /*content*/) {}
+  virtual void add_metadata(const recording::Metadata& /*metadata*/) {}
   // After the last frame.
   virtual void close() = 0;
 };

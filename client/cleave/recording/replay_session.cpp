@@ -25,7 +25,7 @@ ReplaySession::ReplaySession(Stream& stream, ReplayPlan plan)
     : stream_(stream),
       plan_(std::move(plan)),
       reader_(plan_.file, plan_.selection, plan_.loop),
-      clock_(plan_.rate) {}
+      clock_(plan_.rate, recording::GapLimit(plan_.max_gap_s)) {}
 
 void ReplaySession::run(Shutdown& shutdown, const std::function<void()>& on_tick) {
   recording::AheadFrame ahead;
@@ -61,6 +61,7 @@ void ReplaySession::wait_until_due(const recording::AheadFrame& ahead, Shutdown&
                                    const std::function<void()>& on_tick) {
   while (!shutdown.requested()) {
     const auto left = clock_.until_due(ahead.frame.log_time_ns, ahead.pass, Clock::now());
+    if (const auto jump = clock_.new_jump()) spdlog::warn("{}", *jump);
     if (left <= Clock::duration::zero()) return;
     (void)shutdown.wait_for(std::min(std::chrono::ceil<std::chrono::milliseconds>(left),
                                      std::chrono::milliseconds(tick)));

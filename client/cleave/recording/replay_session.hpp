@@ -20,7 +20,8 @@ namespace cleave::client {
 struct ReplayPlan {
   std::filesystem::path file;
   recording::Selection selection;
-  double rate = 1;  // 0 = as fast as possible
+  double rate = 1;                                    // 0 = as fast as possible
+  double max_gap_s = recording::GapLimit::default_s;  // between two frames, by the recording's time
   bool loop = false;
   std::optional<std::uint32_t> window;  // lossless: clouds on their way to the segmenter
 };

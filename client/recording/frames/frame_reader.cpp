@@ -55,7 +55,8 @@ void FrameReader::rewind() {
 
 void FrameReader::begin() {
   const std::uint64_t start_ns = mcap_.start_ns();
-  mcap_.limit(start_ns + offset_ns(selection_.start_s),
+  // Without a start, everything: a file may announce a later one than it has.
+  mcap_.limit(selection_.start_s > 0 ? start_ns + offset_ns(selection_.start_s) : 0,
               selection_.end_s ? start_ns + offset_ns(*selection_.end_s) : ~std::uint64_t{0});
   parts_.clear();
 }

@@ -25,7 +25,7 @@ struct Selection {
   std::optional<double> end_s;
 };
 
-// Frames come in the order in which they were recorded. Frames that are damaged are passed over and
+// Frames come in the order of their log times. Frames that are damaged are passed over and
 // named in problems(); messages of other recorders, too, without a word. Deterministic.
 class FrameReader : public FrameInput {
  public:

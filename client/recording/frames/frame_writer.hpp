@@ -36,6 +36,9 @@ class FrameWriter {
   // What was written so far is in the file, whatever happens to this process.
   void flush() { mcap_.flush(); }
   void add_metadata(const Metadata& metadata) { mcap_.add_metadata(metadata); }
+  void add_attachment(const Attachment& attachment, ByteView content) {
+    mcap_.add_attachment(attachment, content);
+  }
   void close() { mcap_.close(); }
 
   [[nodiscard]] std::uint64_t size_bytes() const { return mcap_.size_bytes(); }

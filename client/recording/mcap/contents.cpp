@@ -1,12 +1,17 @@
 #include "recording/mcap/contents.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
+
+#include "recording/mcap/field_source.hpp"
+#include "recording/mcap/find_record.hpp"
+#include "recording/mcap/sums.hpp"
 
 namespace cleave::recording {
 namespace {
 
-constexpr std::uint64_t end_bytes = record_prefix_bytes + footer_bytes + mcap_magic.size();
+// Messages outside of chunks are read together, up to so many bytes.
+constexpr std::uint64_t loose_bytes = std::uint64_t{4} << 20U;
 
 void check_magic(const InputFile& file) {
   Bytes start(std::min<std::uint64_t>(mcap_magic.size(), file.size()));
@@ -17,100 +22,221 @@ void check_magic(const InputFile& file) {
   }
 }
 
-struct Summary {
+struct Record {
   std::uint64_t offset;
-  Bytes records;  // without the footer
+  Opcode opcode;
+  std::uint64_t length;  // of the content
+  [[nodiscard]] std::uint64_t content() const { return offset + record_prefix_bytes; }
+  [[nodiscard]] std::uint64_t end() const { return content() + length; }
 };
 
-// Empty where the file was cut off or its summary is damaged.
-std::optional<Summary> read_summary(const InputFile& file) {
-  if (file.size() < mcap_magic.size() + end_bytes) return std::nullopt;
-  const std::uint64_t footer_offset = file.size() - end_bytes;
-  const Bytes end = file.read(footer_offset, end_bytes);
-  if (!std::ranges::equal(ByteView(end).last(mcap_magic.size()), bytes_of(mcap_magic))) {
-    return std::nullopt;
+class Walk {
+ public:
+  explicit Walk(const InputFile& file) : file_(file) {}
+
+  Contents run() {
+    while (!ended_ && offset_ < file_.size()) step();
+    if (contents_.statistics) count_by_topic(*contents_.statistics);
+    return std::move(contents_);
   }
-  ByteSource source(end);
-  if (source.number<Opcode>() != Opcode::footer) return std::nullopt;
-  if (source.number<std::uint64_t>() != footer_bytes) return std::nullopt;
-  const auto offset = source.number<std::uint64_t>();
-  (void)source.number<std::uint64_t>();
-  const auto crc = source.number<std::uint32_t>();
-  if (offset < mcap_magic.size() || offset > footer_offset) return std::nullopt;
-  Summary summary{offset, file.read(offset, footer_offset - offset)};
-  constexpr std::size_t before_crc = record_prefix_bytes + 2 * sizeof(std::uint64_t);
-  const std::uint32_t found = crc32_of(ByteView(end).first(before_crc), crc32_of(summary.records));
-  if (crc != 0 && crc != found) return std::nullopt;
-  return summary;
-}
 
-ChunkPlace chunk_of_index(ByteSource& source) {
-  ChunkPlace place;
-  place.start_ns = source.number<std::uint64_t>();
-  place.end_ns = source.number<std::uint64_t>();
-  place.offset = source.number<std::uint64_t>();
-  place.length = source.number<std::uint64_t>();
-  return place;
-}
-
-std::map<std::uint16_t, std::uint64_t> counts_of_statistics(ByteSource& source) {
-  (void)source.take(8 + 2 + 4 + 4 + 4 + 4 + 8 + 8);
-  ByteSource entries(source.take(source.number<std::uint32_t>()));
-  std::map<std::uint16_t, std::uint64_t> counts;
-  while (entries.left() > 0) {
-    const auto channel = entries.number<std::uint16_t>();
-    counts[channel] = entries.number<std::uint64_t>();
-  }
-  return counts;
-}
-
-Metadata metadata_at(const InputFile& file, ByteSource& index) {
-  const auto offset = index.number<std::uint64_t>();
-  const auto length = index.number<std::uint64_t>();
-  const Bytes record = file.read(offset, length);
-  if (record.size() < record_prefix_bytes) throw DataError("a metadata record is too short");
-  return decode_metadata(ByteView(record).subspan(record_prefix_bytes));
-}
-
-// Throws DataError.
-Contents contents_of(const InputFile& file, const Summary& summary) {
-  Contents contents;
-  contents.indexed = true;
-  std::map<std::uint16_t, std::string> topics;
-  std::map<std::uint16_t, std::uint64_t> counts;
-  ByteSource source(summary.records);
-  while (source.left() > 0) {
-    const auto opcode = source.number<Opcode>();
-    const ByteView content = source.take(source.number<std::uint64_t>());
-    ByteSource fields(content);
-    if (opcode == Opcode::channel) {
-      const Channel channel = decode_channel(content);
-      topics[channel.id] = channel.topic;
-    } else if (opcode == Opcode::chunk_index) {
-      contents.chunks.push_back(chunk_of_index(fields));
-    } else if (opcode == Opcode::statistics) {
-      counts = counts_of_statistics(fields);
-    } else if (opcode == Opcode::metadata_index) {
-      contents.metadata.push_back(metadata_at(file, fields));
+ private:
+  void step() {
+    Record record{};
+    try {
+      record = record_at(offset_);
+    } catch (const DataError& error) {
+      return go_on_behind(error.what());
+    }
+    offset_ = record.end();
+    // A record that is none of those that it seems to be may lie about its length, too.
+    resume_ = record.offset + 1;
+    try {
+      resume_ = take(record);
+    } catch (const DataError& error) {
+      contents_.note("at byte " + std::to_string(record.offset) + ": " + error.what());
     }
   }
-  for (const auto& [channel, count] : counts) contents.message_counts[topics[channel]] += count;
-  std::ranges::sort(contents.chunks, {}, &ChunkPlace::offset);
-  return contents;
-}
+
+  void go_on_behind(const std::string& damage) {
+    const Sought sought = has_chunks_ ? Sought::not_in_chunks : Sought::any;
+    const std::uint64_t next = find_record(file_, resume_, sought).value_or(file_.size());
+    contents_.note(
+        "at byte " + std::to_string(offset_) + ": " + damage +
+        (next < file_.size() ? "; reading goes on at byte " + std::to_string(next) : ""));
+    offset_ = next;
+  }
+
+  [[nodiscard]] Record record_at(std::uint64_t offset) const {
+    FieldSource source(file_, offset, file_.size() - offset);
+    if (source.left() < record_prefix_bytes) throw DataError("the file ends within a record");
+    const auto opcode = source.number<Opcode>();
+    const auto length = source.number<std::uint64_t>();
+    if (opcode == Opcode{0}) throw DataError("no record begins here");
+    if (length > source.left()) throw DataError("the file ends within a record");
+    return {offset, opcode, length};
+  }
+
+  // Takes note of the record. Returns where it surely ends, at the latest.
+  std::uint64_t take(const Record& record) {
+    switch (record.opcode) {
+      case Opcode::header:
+        contents_.profile = fields(record).string();
+        break;
+      case Opcode::footer:
+        take_footer(record);
+        break;
+      case Opcode::schema:
+        add(contents_.schemas, decode_schema(content(record)));
+        break;
+      case Opcode::channel:
+        add(contents_.channels, decode_channel(content(record)));
+        break;
+      case Opcode::message:
+        take_message(record);
+        break;
+      case Opcode::chunk:
+        return take_chunk(record);
+      case Opcode::attachment:
+        take_attachment(record);
+        break;
+      case Opcode::metadata:
+        contents_.metadata.push_back(decode_metadata(content(record)));
+        contents_.metadata.back().offset = record.offset;
+        break;
+      case Opcode::statistics:
+        contents_.statistics = decode_statistics(content(record));
+        break;
+      case Opcode::data_end:
+        contents_.data_crc = fields(record).number<std::uint32_t>();
+        contents_.data_end = record.offset;
+        break;
+      case Opcode::message_index:
+      case Opcode::chunk_index:
+      case Opcode::attachment_index:
+      case Opcode::metadata_index:
+      case Opcode::summary_offset:
+        break;
+      default:
+        ++(static_cast<std::uint8_t>(record.opcode) >= first_private_opcode
+               ? contents_.private_records
+               : contents_.unknown_records);
+    }
+    return record.end();
+  }
+
+  // What was said first holds: the summary repeats it.
+  template <class Definition>
+  static void add(std::map<std::uint16_t, Definition>& definitions, Definition definition) {
+    const std::uint16_t id = definition.id;
+    definitions.try_emplace(id, std::move(definition));
+  }
+
+  void take_message(const Record& record) {
+    FieldSource source = fields(record);
+    source.skip(2 + 4);  // channel and number
+    const auto log_ns = source.number<std::uint64_t>();
+    source.skip(8);
+    const std::uint64_t bytes = record.end() - record.offset;
+    auto& chunks = contents_.chunks;
+    if (!chunks.empty() && chunks.back().loose &&
+        chunks.back().offset + chunks.back().length == record.offset &&
+        chunks.back().length + bytes <= loose_bytes) {
+      ChunkPlace& run = chunks.back();
+      run.length += bytes;
+      run.start_ns = std::min(run.start_ns, log_ns);
+      run.end_ns = std::max(run.end_ns, log_ns);
+    } else {
+      chunks.push_back({record.offset, bytes, log_ns, log_ns, true});
+    }
+  }
+
+  std::uint64_t take_chunk(const Record& record) {
+    FieldSource source = fields(record);
+    const auto start_ns = source.number<std::uint64_t>();
+    const auto end_ns = source.number<std::uint64_t>();
+    source.skip(8 + 4);  // size and CRC
+    source.skip(source.number<std::uint32_t>());
+    source.skip(source.number<std::uint64_t>());
+    contents_.chunks.push_back(
+        {record.offset, record.end() - record.offset, start_ns, end_ns, false});
+    has_chunks_ = true;
+    return source.offset();
+  }
+
+  void take_attachment(const Record& record) {
+    FieldSource source = fields(record);
+    Attachment attachment;
+    attachment.log_ns = source.number<std::uint64_t>();
+    attachment.create_ns = source.number<std::uint64_t>();
+    attachment.name = source.string();
+    attachment.media_type = source.string();
+    attachment.data_bytes = source.number<std::uint64_t>();
+    source.skip(attachment.data_bytes);
+    source.skip(sizeof(std::uint32_t));
+    attachment.offset = record.offset;
+    attachment.length = source.offset() - record.content();
+    contents_.attachments.push_back(std::move(attachment));
+  }
+
+  void take_footer(const Record& record) {
+    FieldSource source = fields(record);
+    const auto summary = source.number<std::uint64_t>();
+    source.skip(sizeof(std::uint64_t));
+    const std::uint64_t summed = source.offset();
+    const auto crc = source.number<std::uint32_t>();
+    take_end(record.end());
+    const std::uint64_t begin = summary == 0 ? record.offset : summary;
+    if (begin > record.offset || (crc != 0 && crc32_of(file_, begin, summed) != crc)) {
+      contents_.statistics.reset();
+      throw DataError("the summary at its end is damaged: its place or its CRC is wrong");
+    }
+  }
+
+  void take_end(std::uint64_t offset) {
+    const std::uint64_t left = file_.size() - offset;
+    const Bytes end = file_.read(offset, std::min<std::uint64_t>(left, mcap_magic.size()));
+    if (!std::ranges::equal(end, bytes_of(mcap_magic.substr(0, end.size())))) {
+      throw DataError("a footer, and not the file's end");
+    }
+    ended_ = true;
+    contents_.closed = left >= mcap_magic.size();
+    if (!contents_.closed) throw DataError("the file ends within its last 8 bytes");
+    if (left > mcap_magic.size()) {
+      contents_.note("at byte " + std::to_string(offset + mcap_magic.size()) +
+                     ": the recording ends, and something else follows");
+    }
+  }
+
+  void count_by_topic(const Statistics& statistics) {
+    for (const auto& [id, count] : statistics.message_counts) {
+      const auto channel = contents_.channels.find(id);
+      if (channel != contents_.channels.end()) {
+        contents_.message_counts[channel->second.topic] += count;
+      }
+    }
+  }
+
+  [[nodiscard]] FieldSource fields(const Record& record) const {
+    return {file_, record.content(), record.length};
+  }
+  [[nodiscard]] Bytes content(const Record& record) const {
+    return file_.read(record.content(), record.length);
+  }
+
+  const InputFile& file_;
+  Contents contents_;
+  std::uint64_t offset_ = mcap_magic.size();  // of the next record
+  std::uint64_t resume_ = mcap_magic.size();  // from where one is looked for if none is there
+  bool has_chunks_ = false;
+  bool ended_ = false;
+};
 
 }  // namespace
 
 Contents read_contents(const InputFile& file) {
   check_magic(file);
-  try {
-    if (const std::optional<Summary> summary = read_summary(file)) {
-      return contents_of(file, *summary);
-    }
-  } catch (const DataError&) {
-    // Going through the file finds more than a summary that lies.
-  }
-  return scan_contents(file);
+  return Walk(file).run();
 }
 
 }  // namespace cleave::recording

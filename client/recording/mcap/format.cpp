@@ -30,6 +30,15 @@ Texts decode_texts(ByteSource& source) {
   return texts;
 }
 
+void append_by_channel(Bytes& to, const std::map<std::uint16_t, std::uint64_t>& numbers) {
+  append_number(to, static_cast<std::uint32_t>(numbers.size() *
+                                               (sizeof(std::uint16_t) + sizeof(std::uint64_t))));
+  for (const auto& [channel, number] : numbers) {
+    append_number(to, channel);
+    append_number(to, number);
+  }
+}
+
 Bytes encode(const Schema& schema) {
   Bytes content;
   append_number(content, schema.id);
@@ -53,6 +62,20 @@ Bytes encode(const Metadata& metadata) {
   Bytes content;
   append_string(content, metadata.name);
   append_texts(content, metadata.entries);
+  return content;
+}
+
+Bytes encode(const Statistics& statistics) {
+  Bytes content;
+  append_number(content, statistics.messages);
+  append_number(content, statistics.schemas);
+  append_number(content, statistics.channels);
+  append_number(content, statistics.attachments);
+  append_number(content, statistics.metadata);
+  append_number(content, statistics.chunks);
+  append_number(content, statistics.start_ns);
+  append_number(content, statistics.end_ns);
+  append_by_channel(content, statistics.message_counts);
   return content;
 }
 
@@ -83,6 +106,25 @@ Metadata decode_metadata(ByteView content) {
   metadata.name = source.string();
   metadata.entries = decode_texts(source);
   return metadata;
+}
+
+Statistics decode_statistics(ByteView content) {
+  ByteSource source(content);
+  Statistics statistics;
+  statistics.messages = source.number<std::uint64_t>();
+  statistics.schemas = source.number<std::uint16_t>();
+  statistics.channels = source.number<std::uint32_t>();
+  statistics.attachments = source.number<std::uint32_t>();
+  statistics.metadata = source.number<std::uint32_t>();
+  statistics.chunks = source.number<std::uint32_t>();
+  statistics.start_ns = source.number<std::uint64_t>();
+  statistics.end_ns = source.number<std::uint64_t>();
+  ByteSource counts(source.take(source.number<std::uint32_t>()));
+  while (counts.left() > 0) {
+    const auto channel = counts.number<std::uint16_t>();
+    statistics.message_counts[channel] = counts.number<std::uint64_t>();
+  }
+  return statistics;
 }
 
 std::uint32_t crc32_of(ByteView bytes, std::uint32_t before) {

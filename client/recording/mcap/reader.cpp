@@ -1,141 +1,187 @@
 #include "recording/mcap/reader.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace cleave::recording {
 namespace {
 
-// Far beyond what recorders make; a size that lies must not cost more memory than that.
-constexpr std::uint64_t largest_chunk = std::uint64_t{256} << 20U;
+constexpr std::size_t most_open_bytes = std::size_t{1} << 30U;
 
-// Throws DataError.
-Block unpack(const std::string& compression, ByteView data, std::uint64_t plain_bytes) {
-  if (compression == "zstd") return zstd_decompress(data, static_cast<std::size_t>(plain_bytes));
-  if (!compression.empty()) {
-    throw DataError("its compression '" + compression +
-                    "' is not read; convert the file to zstd, e.g. with `mcap compress`");
-  }
-  Block block(data.size());
-  std::ranges::copy(data, block.bytes().begin());
-  return block;
+// Some recorders leave the times of a chunk at zero, though it has messages.
+bool tells_times(const ChunkPlace& place) {
+  return place.end_ns > 0 && place.start_ns <= place.end_ns;
 }
 
-// The chunk's records, with their CRC checked. Throws DataError.
-Block plain_records(ByteView content) {
-  ByteSource source(content);
-  (void)source.take(2 * sizeof(std::uint64_t));  // the times
-  const auto plain_bytes = source.number<std::uint64_t>();
-  const auto crc = source.number<std::uint32_t>();
-  const std::string compression = source.string();
-  const ByteView data = source.take(source.number<std::uint64_t>());
-  if (plain_bytes > largest_chunk) {
-    throw DataError("it announces " + std::to_string(plain_bytes) +
-                    " bytes, more than a chunk has");
+std::vector<std::size_t> sequence_of(const std::vector<ChunkPlace>& chunks, Order order) {
+  std::vector<std::size_t> sequence(chunks.size());
+  std::iota(sequence.begin(), sequence.end(), std::size_t{0});
+  if (order == Order::log_time) {
+    std::ranges::stable_sort(sequence, {}, [&](std::size_t i) {
+      return tells_times(chunks[i]) ? chunks[i].start_ns : 0;
+    });
   }
-  Block block = unpack(compression, data, plain_bytes);
-  if (crc != 0 && crc32_of(block.view()) != crc) throw DataError("its CRC is wrong");
-  return block;
+  return sequence;
 }
+
+// Whose next message comes later?
+constexpr auto comes_later = [](const auto& a, const auto& b) {
+  return std::tuple(a.chunk.messages[a.next].log_ns, a.number) >
+         std::tuple(b.chunk.messages[b.next].log_ns, b.number);
+};
 
 }  // namespace
 
-McapReader::McapReader(const std::filesystem::path& path, FindBy find)
-    : file_(path), contents_(find == FindBy::index ? read_contents(file_) : scan_contents(file_)) {}
+McapReader::McapReader(const std::filesystem::path& path, Order order)
+    : file_(path),
+      order_(order),
+      contents_(read_contents(file_)),
+      sequence_(sequence_of(contents_.chunks, order)),
+      schemas_(contents_.schemas),
+      channels_(contents_.channels),
+      defined_(contents_.chunks.size()) {}
 
 void McapReader::limit(std::uint64_t first_ns, std::uint64_t last_ns) {
   first_ns_ = first_ns;
   last_ns_ = last_ns;
   next_chunk_ = 0;
-  rest_ = ByteSource(ByteView{});
+  open_.clear();
+  open_bytes_ = 0;
+  handed_out_ = false;
 }
 
 std::uint64_t McapReader::start_ns() const {
-  const auto& chunks = contents_.chunks;
-  return chunks.empty() ? 0 : std::ranges::min(chunks, {}, &ChunkPlace::start_ns).start_ns;
+  std::uint64_t start_ns = end_ns();
+  for (const ChunkPlace& place : contents_.chunks) {
+    if (tells_times(place)) start_ns = std::min(start_ns, place.start_ns);
+  }
+  return start_ns;
 }
 
 std::uint64_t McapReader::end_ns() const {
-  const auto& chunks = contents_.chunks;
-  return chunks.empty() ? 0 : std::ranges::max(chunks, {}, &ChunkPlace::end_ns).end_ns;
+  std::uint64_t end_ns = 0;
+  for (const ChunkPlace& place : contents_.chunks) end_ns = std::max(end_ns, place.end_ns);
+  return end_ns;
 }
 
 std::optional<Message> McapReader::next() {
   do {
-    while (auto message = next_of_chunk()) {
-      const std::uint64_t time_ns = message->times.log_ns;
-      if (time_ns >= first_ns_ && time_ns <= last_ns_) return message;
-    }
-  } while (open_next_chunk());
-  return std::nullopt;
+    if (std::exchange(handed_out_, false)) leave_message();
+    while (must_open()) open_next();
+    if (open_.empty()) return std::nullopt;
+    handed_out_ = true;
+    if (auto message = message_of(open_.front())) return message;
+  } while (true);
 }
 
-// False when there is none.
-bool McapReader::open_next_chunk() {
-  while (next_chunk_ < contents_.chunks.size()) {
-    const ChunkPlace& place = contents_.chunks[next_chunk_++];
-    if (place.end_ns < first_ns_ || place.start_ns > last_ns_) continue;
-    try {
-      open_chunk(place);
-      return true;
-    } catch (const DataError& error) {
-      contents_.problems.push_back("chunk at byte " + std::to_string(place.offset) + ": " +
-                                   error.what());
-    }
-  }
-  return false;
+// The next message is known once all chunks are open that may have one before it.
+bool McapReader::must_open() const {
+  if (next_chunk_ == sequence_.size()) return false;
+  if (open_.empty()) return true;
+  if (order_ == Order::file || open_bytes_ >= most_open_bytes) return false;
+  const ChunkPlace& place = contents_.chunks[sequence_[next_chunk_]];
+  const Opened& front = open_.front();
+  return !tells_times(place) || place.start_ns <= front.chunk.messages[front.next].log_ns;
 }
 
-void McapReader::open_chunk(const ChunkPlace& place) {
-  const Bytes record = file_.read(place.offset, place.length);
-  ByteSource source(record);
-  if (source.number<Opcode>() != Opcode::chunk) throw DataError("no chunk begins here");
-  chunk_ = plain_records(source.take(source.number<std::uint64_t>()));
-  rest_ = ByteSource(chunk_.view());
-}
-
-std::optional<Message> McapReader::next_of_chunk() {
+void McapReader::open_next() {
+  const std::size_t number = sequence_[next_chunk_++];
+  const ChunkPlace& place = contents_.chunks[number];
+  if (tells_times(place) && (place.end_ns < first_ns_ || place.start_ns > last_ns_)) return;
+  Opened opened{number, {}, 0};
   try {
-    while (rest_.left() > 0) {
-      const auto opcode = rest_.number<Opcode>();
-      const ByteView content = rest_.take(rest_.number<std::uint64_t>());
-      if (opcode == Opcode::schema) {
-        add_schema(content);
-      } else if (opcode == Opcode::channel) {
-        add_channel(content);
-      } else if (opcode == Opcode::message) {
-        if (auto message = message_of(content)) return message;
-      }
-    }
+    opened.chunk = open_chunk(file_, place);
   } catch (const DataError& error) {
-    rest_ = ByteSource(ByteView{});
-    contents_.problems.push_back(std::string("a chunk's records: ") + error.what());
+    return note(number, error.what());
   }
-  return std::nullopt;
+  if (!opened.chunk.damage.empty()) note(number, opened.chunk.damage);
+  define(opened.chunk);
+  defined_[number] = true;
+  auto& messages = opened.chunk.messages;
+  std::erase_if(messages, [this](const FoundMessage& message) {
+    return message.log_ns < first_ns_ || message.log_ns > last_ns_;
+  });
+  if (messages.empty()) return;
+  if (order_ == Order::log_time) std::ranges::stable_sort(messages, {}, &FoundMessage::log_ns);
+  open_bytes_ += opened.chunk.records.view().size();
+  open_.push_back(std::move(opened));
+  std::ranges::push_heap(open_, comes_later);
+}
+
+// The message in front was used.
+void McapReader::leave_message() {
+  std::ranges::pop_heap(open_, comes_later);
+  Opened& opened = open_.back();
+  if (++opened.next < opened.chunk.messages.size()) {
+    std::ranges::push_heap(open_, comes_later);
+  } else {
+    open_bytes_ -= opened.chunk.records.view().size();
+    open_.pop_back();
+  }
+}
+
+void McapReader::note(std::size_t number, const std::string& damage) {
+  const ChunkPlace& place = contents_.chunks[number];
+  contents_.note((place.loose ? "messages at byte " : "chunk at byte ") +
+                 std::to_string(place.offset) + ": " + damage);
 }
 
 // What was said first holds: messages handed out point to it.
-void McapReader::add_schema(ByteView content) {
-  Schema schema = decode_schema(content);
-  schemas_.try_emplace(schema.id, std::move(schema));
+void McapReader::define(const OpenChunk& chunk) {
+  for (const Schema& schema : chunk.schemas) schemas_.try_emplace(schema.id, schema);
+  for (const Channel& channel : chunk.channels) channels_.try_emplace(channel.id, channel);
 }
 
-void McapReader::add_channel(ByteView content) {
-  Channel channel = decode_channel(content);
-  channels_.try_emplace(channel.id, std::move(channel));
+// A channel is described before its first message, which may be in a chunk that is passed over, or
+// opened later.
+void McapReader::define_before(std::size_t number) {
+  for (std::size_t i = 0; i < number; ++i) {
+    if (defined_[i] || contents_.chunks[i].loose) continue;
+    defined_[i] = true;
+    try {
+      define(open_chunk(file_, contents_.chunks[i]));
+    } catch (const DataError&) {
+      // Named when its messages are read.
+    }
+  }
 }
 
-std::optional<Message> McapReader::message_of(ByteView content) const {
-  ByteSource source(content);
-  const auto channel = channels_.find(source.number<std::uint16_t>());
-  if (channel == channels_.end()) throw DataError("a message is of a channel that is not there");
-  const auto schema = schemas_.find(channel->second.schema_id);
-  if (schema == schemas_.end()) return std::nullopt;  // of no schema: nothing of ours
-  Message message{&channel->second, &schema->second, 0, {}, {}};
+const Channel* McapReader::find_channel(std::uint16_t id, std::size_t number) {
+  if (!channels_.contains(id)) define_before(number);
+  const auto found = channels_.find(id);
+  if (found != channels_.end()) return &found->second;
+  if (lacks_channel_.insert(id).second) {
+    note(number, "messages of channel " + std::to_string(id) + ", which is nowhere described");
+  }
+  return nullptr;
+}
+
+const Schema* McapReader::find_schema(const Channel& channel, std::size_t number) {
+  static const Schema none{};
+  const std::uint16_t id = channel.schema_id;
+  if (id == 0) return &none;
+  if (!schemas_.contains(id)) define_before(number);
+  const auto found = schemas_.find(id);
+  if (found != schemas_.end()) return &found->second;
+  if (lacks_schema_.insert(id).second) {
+    note(number, channel.topic + ": its schema, " + std::to_string(id) + ", is not in the file");
+  }
+  return &none;
+}
+
+std::optional<Message> McapReader::message_of(const Opened& opened) {
+  ByteSource source(opened.chunk.messages[opened.next].content);
+  Message message;
+  message.channel = find_channel(source.number<std::uint16_t>(), opened.number);
+  if (message.channel == nullptr) return std::nullopt;
+  message.schema = find_schema(*message.channel, opened.number);
   message.sequence = source.number<std::uint32_t>();
   message.times.log_ns = source.number<std::uint64_t>();
   message.times.publish_ns = source.number<std::uint64_t>();
   message.data = source.take(source.left());
+  message.offset = contents_.chunks[opened.number].offset;
   return message;
 }
 

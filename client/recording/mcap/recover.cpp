@@ -1,6 +1,7 @@
 #include "recording/mcap/recover.hpp"
 
-#include <map>
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "recording/mcap/reader.hpp"
@@ -9,35 +10,81 @@
 namespace cleave::recording {
 namespace {
 
-// Gives channels the ids of the new file.
-class Copier {
+class Copy {
  public:
-  explicit Copier(McapWriter& out) : out_(out) {}
+  Copy(McapReader& from, McapWriter& to) : from_(from), to_(to) {}
 
-  void copy(const Message& message) {
-    const auto [entry, is_new] = channels_.try_emplace(message.channel->id);
-    if (is_new) entry->second = add(message);
-    out_.write(entry->second, message.sequence, message.times, message.data);
+  Recovery run() {
+    while (const auto message = from_.next()) {
+      copy_others_before(message->offset);
+      copy(*message);
+    }
+    copy_others_before(from_.size_bytes());
+    // Channels on which nothing was sent.
+    for (const auto& [id, schema] : from_.schemas()) to_.declare(schema);
+    for (const auto& [id, channel] : from_.channels()) declare(channel);
+    to_.close();
+    from_.check_totals(result_.messages);
+    result_.problems.insert(result_.problems.begin(), from_.problems().begin(),
+                            from_.problems().end());
+    return std::move(result_);
   }
 
  private:
-  std::uint16_t add(const Message& message) {
-    const Schema& schema = *message.schema;
-    const auto [entry, is_new] = schemas_.try_emplace(schema.id);
-    if (is_new) entry->second = out_.add_schema(schema.name, schema.encoding, schema.text);
-    const Channel& channel = *message.channel;
-    return out_.add_channel(entry->second, channel.topic, channel.message_encoding,
-                            channel.metadata);
+  void copy(const Message& message) {
+    // What was written for one frame has the same time and number, and stays in one chunk.
+    const std::pair group(message.times.log_ns, message.sequence);
+    if (group_ != group) to_.end_group();
+    group_ = group;
+    if (message.schema->id != 0) to_.declare(*message.schema);
+    declare(*message.channel);
+    to_.write(message.channel->id, message.sequence, message.times, message.data);
+    ++result_.messages;
   }
 
-  McapWriter& out_;
-  std::map<std::uint16_t, std::uint16_t> schemas_;
-  std::map<std::uint16_t, std::uint16_t> channels_;
-};
+  // A channel whose schema is lost keeps its messages, and has none.
+  void declare(Channel channel) {
+    if (!from_.schemas().contains(channel.schema_id)) channel.schema_id = 0;
+    to_.declare(channel);
+  }
 
-bool same_group(const Message& message, std::uint64_t log_ns, std::uint32_t sequence) {
-  return message.times.log_ns == log_ns && message.sequence == sequence;
-}
+  // Attachments and metadata records that lie before `offset`, in their order.
+  void copy_others_before(std::uint64_t offset) {
+    const auto& attachments = from_.contents().attachments;
+    const auto& metadata = from_.contents().metadata;
+    const auto offset_of = [](const auto& records, std::size_t next) {
+      return next < records.size() ? records[next].offset : ~std::uint64_t{0};
+    };
+    while (true) {
+      const std::uint64_t attachment = offset_of(attachments, next_attachment_);
+      const std::uint64_t record = offset_of(metadata, next_metadata_);
+      if (std::min(attachment, record) >= offset) return;
+      if (attachment < record) {
+        copy(attachments[next_attachment_++]);
+      } else {
+        to_.add_metadata(metadata[next_metadata_++]);
+        ++result_.metadata;
+      }
+    }
+  }
+
+  void copy(const Attachment& attachment) {
+    try {
+      to_.add_attachment(attachment, from_.read(attachment));
+      ++result_.attachments;
+    } catch (const DataError& error) {
+      result_.problems.push_back("attachment '" + attachment.name + "' at byte " +
+                                 std::to_string(attachment.offset) + ": " + error.what());
+    }
+  }
+
+  McapReader& from_;
+  McapWriter& to_;
+  Recovery result_;
+  std::optional<std::pair<std::uint64_t, std::uint32_t>> group_;
+  std::size_t next_attachment_ = 0;
+  std::size_t next_metadata_ = 0;
+};
 
 }  // namespace
 
@@ -46,21 +93,9 @@ Recovery recover(const std::filesystem::path& damaged, const std::filesystem::pa
   if (std::filesystem::equivalent(damaged, out, error)) {
     throw FileError(out.string() + ": is the damaged file itself; name another output");
   }
-  McapReader reader(damaged, FindBy::scan);
-  McapWriter writer(out);
-  Copier copier(writer);
-  std::uint64_t log_ns = 0;
-  std::uint32_t sequence = 0;
-  while (const auto message = reader.next()) {
-    // What was written for one frame has the same time and number, and stays in one chunk.
-    if (!same_group(*message, log_ns, sequence)) writer.end_group();
-    log_ns = message->times.log_ns;
-    sequence = message->sequence;
-    copier.copy(*message);
-  }
-  for (const Metadata& metadata : reader.contents().metadata) writer.add_metadata(metadata);
-  writer.close();
-  return {writer.message_count(), reader.problems()};
+  McapReader reader(damaged, Order::file);
+  McapWriter writer(out, McapWriter::default_chunk, reader.contents().profile);
+  return Copy(reader, writer).run();
 }
 
 }  // namespace cleave::recording

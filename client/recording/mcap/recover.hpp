@@ -10,11 +10,14 @@ namespace cleave::recording {
 
 struct Recovery {
   std::uint64_t messages = 0;
-  std::vector<std::string> problems;  // what was lost, with byte offsets
+  std::uint64_t attachments = 0;
+  std::uint64_t metadata = 0;
+  std::vector<std::string> problems;  // what is damaged, with byte offsets; empty = nothing
 };
 
-// Copies every message and metadata record that is intact, with schemas and channels, into a new
-// file. The damaged file is gone through from its beginning: its index is not asked.
+// Copies every message, attachment and metadata record that is intact into a new file, in the order
+// of the old one, with all schemas and channels and the ids that they have. A file that is whole
+// is copied whole. An attachment is held in memory while it is copied.
 // Throws FileError: `damaged` is no MCAP, both are one file, or `out` cannot be written.
 [[nodiscard]] Recovery recover(const std::filesystem::path& damaged,
                                const std::filesystem::path& out);

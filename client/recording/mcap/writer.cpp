@@ -9,12 +9,18 @@ namespace {
 
 constexpr char library[] = "cleave";
 
+template <class Definition>
+std::uint16_t next_id(const std::map<std::uint16_t, Definition>& definitions, std::uint16_t first) {
+  return definitions.empty() ? first : static_cast<std::uint16_t>(definitions.rbegin()->first + 1);
+}
+
 }  // namespace
 
-McapWriter::McapWriter(const std::filesystem::path& path, std::size_t chunk_bytes)
+McapWriter::McapWriter(const std::filesystem::path& path, std::size_t chunk_bytes,
+                       std::string_view profile)
     : file_(path), chunk_bytes_(chunk_bytes) {
   Bytes content;
-  append_string(content, "");  // no profile: the schemas are of more than one kind
+  append_string(content, profile);
   append_string(content, library);
   Bytes start;
   append(start, bytes_of(mcap_magic));
@@ -23,16 +29,16 @@ McapWriter::McapWriter(const std::filesystem::path& path, std::size_t chunk_byte
 }
 
 std::uint16_t McapWriter::add_schema(std::string name, std::string encoding, std::string text) {
-  const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
-  schemas_.push_back({id, std::move(name), std::move(encoding), std::move(text)});
+  const std::uint16_t id = next_id(schemas_, 1);
+  schemas_[id] = {id, std::move(name), std::move(encoding), std::move(text)};
   return id;
 }
 
 std::uint16_t McapWriter::add_channel(std::uint16_t schema_id, std::string topic,
                                       std::string message_encoding, Texts metadata) {
-  const auto id = static_cast<std::uint16_t>(channels_.size());
-  channels_.push_back(
-      {id, schema_id, std::move(topic), std::move(message_encoding), std::move(metadata)});
+  const std::uint16_t id = next_id(channels_, 0);
+  channels_[id] = {id, schema_id, std::move(topic), std::move(message_encoding),
+                   std::move(metadata)};
   return id;
 }
 
@@ -40,7 +46,9 @@ std::uint16_t McapWriter::add_channel(std::uint16_t schema_id, std::string topic
 void McapWriter::introduce(std::uint16_t channel_id) {
   if (!introduced_.insert(channel_id).second) return;
   const Channel& channel = channels_.at(channel_id);
-  append_record(chunk_, Opcode::schema, encode(schemas_.at(channel.schema_id - std::size_t{1})));
+  if (channel.schema_id != 0) {
+    append_record(chunk_, Opcode::schema, encode(schemas_.at(channel.schema_id)));
+  }
   append_record(chunk_, Opcode::channel, encode(channel));
 }
 
@@ -131,13 +139,21 @@ Bytes McapWriter::chunk_indexes(std::uint64_t offset, WrittenChunk& written) con
   return records;
 }
 
-void McapWriter::add_metadata(const Metadata& metadata) {
+McapWriter::RecordPlace McapWriter::put(Opcode opcode, ByteView content) {
   flush();
   Bytes record;
-  append_record(record, Opcode::metadata, encode(metadata));
-  const MetadataPlace place{file_.size(), record.size(), metadata.name};
+  append_record(record, opcode, content);
+  const RecordPlace place{file_.size(), record.size()};
   file_.append(record);
-  metadata_.push_back(place);
+  return place;
+}
+
+void McapWriter::add_metadata(const Metadata& metadata) {
+  metadata_.emplace_back(put(Opcode::metadata, encode(metadata)), metadata.name);
+}
+
+void McapWriter::add_attachment(const Attachment& attachment, ByteView content) {
+  attachments_.emplace_back(put(Opcode::attachment, content), attachment);
 }
 
 }  // namespace cleave::recording

@@ -1,5 +1,5 @@
-// Writes MCAP: zstd chunks with their CRCs and message indexes, and at the end a summary with
-// schemas, channels, statistics, chunk and metadata indexes.
+// Writes MCAP: zstd chunks with their CRCs and message indexes, attachments and metadata, and at
+// the end a summary with schemas, channels, statistics and the indexes of all these.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "recording/mcap/format.hpp"
@@ -20,14 +22,18 @@ namespace cleave::recording {
 class McapWriter {
  public:
   // Creates the file. `chunk_bytes`: a chunk is closed at the end of the group that makes it
-  // larger. Throws FileError.
-  explicit McapWriter(const std::filesystem::path& path, std::size_t chunk_bytes = default_chunk);
+  // larger. `profile`: what readers may expect of all schemas, e.g. "ros2". Throws FileError.
+  explicit McapWriter(const std::filesystem::path& path, std::size_t chunk_bytes = default_chunk,
+                      std::string_view profile = "");
 
   // The schema's id.
   [[nodiscard]] std::uint16_t add_schema(std::string name, std::string encoding, std::string text);
   // The channel's id.
   [[nodiscard]] std::uint16_t add_channel(std::uint16_t schema_id, std::string topic,
                                           std::string message_encoding, Texts metadata = {});
+  // With the ids that they have, as those of another file; what is there stays.
+  void declare(const Schema& schema) { schemas_.try_emplace(schema.id, schema); }
+  void declare(const Channel& channel) { channels_.try_emplace(channel.id, channel); }
 
   // `data` is copied. No file access happens here.
   void write(std::uint16_t channel_id, std::uint32_t sequence, const MessageTimes& times,
@@ -38,6 +44,8 @@ class McapWriter {
   // Closes the chunk, if it holds any message. Throws FileError.
   void flush();
   void add_metadata(const Metadata& metadata);
+  // `content`: of the attachment's record in another file, times, names and CRC included.
+  void add_attachment(const Attachment& attachment, ByteView content);
   // Flushes, writes the summary and the end. Nothing may be written after. Throws FileError.
   void close();
 
@@ -60,23 +68,26 @@ class McapWriter {
     std::uint64_t plain_bytes = 0;
     std::map<std::uint16_t, std::uint64_t> message_counts;
   };
-  struct MetadataPlace {
+  struct RecordPlace {
     std::uint64_t offset;
     std::uint64_t length;
-    std::string name;
   };
   void introduce(std::uint16_t channel_id);
   void write_chunk();
   void start_chunk();
+  [[nodiscard]] RecordPlace put(Opcode opcode, ByteView content);
   [[nodiscard]] Bytes chunk_indexes(std::uint64_t offset, WrittenChunk& written) const;
-  [[nodiscard]] Bytes statistics() const;
+  [[nodiscard]] Statistics statistics() const;
+  [[nodiscard]] Bytes chunk_index_records() const;
+  [[nodiscard]] Bytes attachment_index_records() const;
+  [[nodiscard]] Bytes metadata_index_records() const;
   [[nodiscard]] Bytes summary_section(std::uint64_t offset) const;
 
   OutputFile file_;
   std::size_t chunk_bytes_;
   ZstdCompressor compressor_;
-  std::vector<Schema> schemas_;    // by id - 1
-  std::vector<Channel> channels_;  // by id
+  std::map<std::uint16_t, Schema> schemas_;
+  std::map<std::uint16_t, Channel> channels_;
 
   Bytes chunk_;
   std::set<std::uint16_t> introduced_;  // channels whose records the open chunk holds
@@ -85,7 +96,8 @@ class McapWriter {
   std::uint64_t chunk_end_ns_ = 0;
 
   std::vector<WrittenChunk> written_;
-  std::vector<MetadataPlace> metadata_;
+  std::vector<std::pair<RecordPlace, std::string>> metadata_;  // and its name
+  std::vector<std::pair<RecordPlace, Attachment>> attachments_;
   std::uint64_t message_count_ = 0;
 };
 

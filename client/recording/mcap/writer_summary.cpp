@@ -1,6 +1,7 @@
 // The end of a file: what lets a reader find everything without reading it all.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "recording/mcap/writer.hpp"
 
@@ -12,15 +13,6 @@ struct Group {
   Opcode opcode;
   Bytes records;
 };
-
-void append_counts(Bytes& to, const std::map<std::uint16_t, std::uint64_t>& counts) {
-  append_number(to, static_cast<std::uint32_t>(counts.size() *
-                                               (sizeof(std::uint16_t) + sizeof(std::uint64_t))));
-  for (const auto& [channel, count] : counts) {
-    append_number(to, channel);
-    append_number(to, count);
-  }
-}
 
 }  // namespace
 
@@ -36,61 +28,87 @@ void McapWriter::close() {
   file_.sync();
 }
 
-Bytes McapWriter::statistics() const {
-  std::map<std::uint16_t, std::uint64_t> counts;
-  std::uint64_t start_ns = 0;
-  std::uint64_t end_ns = 0;
+Statistics McapWriter::statistics() const {
+  Statistics statistics;
+  statistics.messages = message_count_;
+  statistics.schemas = static_cast<std::uint16_t>(schemas_.size());
+  statistics.channels = static_cast<std::uint32_t>(channels_.size());
+  statistics.attachments = static_cast<std::uint32_t>(attachments_.size());
+  statistics.metadata = static_cast<std::uint32_t>(metadata_.size());
+  statistics.chunks = static_cast<std::uint32_t>(written_.size());
+  if (!written_.empty()) statistics.start_ns = written_.front().place.start_ns;
   for (const WrittenChunk& chunk : written_) {
-    const bool first = &chunk == &written_.front();
-    start_ns = first ? chunk.place.start_ns : std::min(start_ns, chunk.place.start_ns);
-    end_ns = std::max(end_ns, chunk.place.end_ns);
-    for (const auto& [channel, count] : chunk.message_counts) counts[channel] += count;
+    statistics.start_ns = std::min(statistics.start_ns, chunk.place.start_ns);
+    statistics.end_ns = std::max(statistics.end_ns, chunk.place.end_ns);
+    for (const auto& [channel, count] : chunk.message_counts) {
+      statistics.message_counts[channel] += count;
+    }
   }
-  Bytes content;
-  append_number(content, message_count_);
-  append_number(content, static_cast<std::uint16_t>(schemas_.size()));
-  append_number(content, static_cast<std::uint32_t>(channels_.size()));
-  append_number(content, std::uint32_t{0});  // attachments
-  append_number(content, static_cast<std::uint32_t>(metadata_.size()));
-  append_number(content, static_cast<std::uint32_t>(written_.size()));
-  append_number(content, start_ns);
-  append_number(content, end_ns);
-  append_counts(content, counts);
-  return content;
+  return statistics;
 }
 
-// Summary and footer, for a file in which the summary begins at `offset`.
-Bytes McapWriter::summary_section(std::uint64_t offset) const {
-  std::array<Group, 5> groups = {Group{Opcode::schema, {}}, Group{Opcode::channel, {}},
-                                 Group{Opcode::statistics, {}}, Group{Opcode::chunk_index, {}},
-                                 Group{Opcode::metadata_index, {}}};
-  for (const Schema& schema : schemas_) {
-    append_record(groups[0].records, Opcode::schema, encode(schema));
-  }
-  for (const Channel& channel : channels_) {
-    append_record(groups[1].records, Opcode::channel, encode(channel));
-  }
-  append_record(groups[2].records, Opcode::statistics, statistics());
+Bytes McapWriter::chunk_index_records() const {
+  Bytes records;
   for (const WrittenChunk& chunk : written_) {
     Bytes content;
     append_number(content, chunk.place.start_ns);
     append_number(content, chunk.place.end_ns);
     append_number(content, chunk.place.offset);
     append_number(content, chunk.place.length);
-    append_counts(content, chunk.index_offsets);
+    append_by_channel(content, chunk.index_offsets);
     append_number(content, chunk.index_bytes);
     append_string(content, "zstd");
     append_number(content, chunk.compressed_bytes);
     append_number(content, chunk.plain_bytes);
-    append_record(groups[3].records, Opcode::chunk_index, content);
+    append_record(records, Opcode::chunk_index, content);
   }
-  for (const MetadataPlace& place : metadata_) {
+  return records;
+}
+
+Bytes McapWriter::attachment_index_records() const {
+  Bytes records;
+  for (const auto& [place, attachment] : attachments_) {
     Bytes content;
     append_number(content, place.offset);
     append_number(content, place.length);
-    append_string(content, place.name);
-    append_record(groups[4].records, Opcode::metadata_index, content);
+    append_number(content, attachment.log_ns);
+    append_number(content, attachment.create_ns);
+    append_number(content, attachment.data_bytes);
+    append_string(content, attachment.name);
+    append_string(content, attachment.media_type);
+    append_record(records, Opcode::attachment_index, content);
   }
+  return records;
+}
+
+Bytes McapWriter::metadata_index_records() const {
+  Bytes records;
+  for (const auto& [place, name] : metadata_) {
+    Bytes content;
+    append_number(content, place.offset);
+    append_number(content, place.length);
+    append_string(content, name);
+    append_record(records, Opcode::metadata_index, content);
+  }
+  return records;
+}
+
+// Summary and footer, for a file in which the summary begins at `offset`.
+Bytes McapWriter::summary_section(std::uint64_t offset) const {
+  Bytes schemas;
+  for (const auto& [id, schema] : schemas_) append_record(schemas, Opcode::schema, encode(schema));
+  Bytes channels;
+  for (const auto& [id, channel] : channels_) {
+    append_record(channels, Opcode::channel, encode(channel));
+  }
+  Bytes numbers;
+  append_record(numbers, Opcode::statistics, encode(statistics()));
+  const std::array<Group, 6> groups = {Group{Opcode::schema, std::move(schemas)},
+                                       Group{Opcode::channel, std::move(channels)},
+                                       Group{Opcode::statistics, std::move(numbers)},
+                                       Group{Opcode::chunk_index, chunk_index_records()},
+                                       Group{Opcode::attachment_index, attachment_index_records()},
+                                       Group{Opcode::metadata_index, metadata_index_records()}};
 
   Bytes summary;
   Bytes offsets;

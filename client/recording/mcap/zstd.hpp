@@ -1,11 +1,11 @@
-// The compression of chunks.
+// The compression of the chunks that are written, and of most that are read.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 
-#include "recording/mcap/bytes.hpp"
+#include "recording/mcap/block.hpp"
 
 namespace cleave::recording {
 
@@ -21,20 +21,6 @@ class ZstdCompressor {
  private:
   struct Context;
   std::unique_ptr<Context> context_;
-};
-
-// Memory that is not touched until something is written there: a size that lies costs nothing.
-class Block {
- public:
-  Block() = default;
-  explicit Block(std::size_t size)
-      : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {}
-  [[nodiscard]] std::span<std::byte> bytes() { return {bytes_.get(), size_}; }
-  [[nodiscard]] ByteView view() const { return {bytes_.get(), size_}; }
-
- private:
-  std::unique_ptr<std::byte[]> bytes_;
-  std::size_t size_ = 0;
 };
 
 // Throws DataError unless the result has exactly `plain_bytes`.

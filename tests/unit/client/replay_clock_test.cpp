@@ -43,5 +43,27 @@ TEST(ReplayClock, BeginsAnewAfterALongStopAndWithEachPass) {
   EXPECT_EQ(clock.until_due(30 * ms_ns, 1, start + 11s), 30ms);
 }
 
+TEST(ReplayClock, PlaysOnAfterTheLongestGapWhenTheRecordingsClockJumps) {
+  constexpr std::int64_t day_ns = 86'400'000 * ms_ns;
+  ReplayClock clock(1, recording::GapLimit(1));
+  (void)clock.until_due(0, 0, start);
+  EXPECT_FALSE(clock.new_jump());
+  const std::int64_t after = 11 * day_ns;
+  EXPECT_EQ(clock.until_due(after, 0, start), 1s);
+  EXPECT_EQ(clock.until_due(after, 0, start + 400ms), 600ms);
+  EXPECT_EQ(clock.until_due(after + 30 * ms_ns, 0, start + 1s), 30ms);
+  EXPECT_TRUE(clock.new_jump());
+  EXPECT_LE(clock.until_due(0, 0, start + 1030ms), 0ms) << "and back again";
+  EXPECT_EQ(clock.until_due(30 * ms_ns, 0, start + 1030ms), 30ms);
+  EXPECT_FALSE(clock.new_jump()) << "it is said once";
+}
+
+TEST(ReplayClock, KeepsAPauseThatWasRecordedOnPurpose) {
+  ReplayClock clock(0.5, recording::GapLimit(10));
+  (void)clock.until_due(0, 0, start);
+  EXPECT_EQ(clock.until_due(9'000 * ms_ns, 0, start), 18s);
+  EXPECT_FALSE(clock.new_jump());
+}
+
 }  // namespace
 }  // namespace cleave::client

@@ -18,6 +18,7 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
   EXPECT_EQ(shipped.coordinate_frame, defaults.coordinate_frame);
   EXPECT_EQ(shipped.source, defaults.source);
   EXPECT_EQ(shipped.fps, defaults.fps);
+  EXPECT_EQ(shipped.max_gap_s, defaults.max_gap_s);
   EXPECT_EQ(shipped.loop, defaults.loop);
   EXPECT_EQ(shipped.mode, defaults.mode);
   EXPECT_EQ(shipped.window, defaults.window);
@@ -33,6 +34,7 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
 TEST(GrabberConfig, ReadsEveryKey) {
   const YamlFile yaml(
       "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
+      "max_gap_s: 2.5\n"
       "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240, registration: true, mirror: "
       "true}\n"
       "stream: {domain: 7, shared_memory: false, public_interface: eth0}\n");
@@ -41,6 +43,7 @@ TEST(GrabberConfig, ReadsEveryKey) {
   EXPECT_EQ(config.coordinate_frame, "left_lens");
   EXPECT_EQ(config.source, "pcd:scenes");
   EXPECT_EQ(config.fps, 10U);
+  EXPECT_EQ(config.max_gap_s, 2.5);
   EXPECT_TRUE(config.loop);
   EXPECT_EQ(config.mode, Mode::lossless);
   EXPECT_EQ(config.window, 2U);

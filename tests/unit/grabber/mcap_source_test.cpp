@@ -54,6 +54,41 @@ TEST_F(McapSourceFile, BeginsAnEpochWithEachPassOfALoop) {
   }
 }
 
+TEST_F(McapSourceFile, PlaysOnAfterTheLongestGapWhenTheRecordingsClockJumps) {
+  constexpr std::int64_t s_ns = 1'000'000'000;
+  constexpr std::int64_t day_ns = 86'400 * s_ns;
+  recording::FrameWriter writer(file_);
+  std::uint64_t id = 0;
+  for (const std::int64_t time_ns : {s_ns, 3 * s_ns, 3 * s_ns + 11 * day_ns}) {
+    writer.write({time_ns, recording::depth_cloud(++id)});
+  }
+  writer.close();
+  McapSource source(file_, false, recording::GapLimit(5));
+  ASSERT_FALSE(source.open());
+  Frame frame;
+  ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+  EXPECT_EQ(frame.until_next, seconds(2)) << "a pause that is shorter is kept";
+  ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+  EXPECT_EQ(frame.until_next, seconds(5));
+  ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+  EXPECT_EQ(source.next(seconds(20), frame), Poll::end);
+}
+
+TEST_F(McapSourceFile, PlaysByLogTimeWhatWasWrittenInAnotherOrder) {
+  recording::FrameWriter writer(file_, 4096);
+  for (const std::uint64_t id : {3, 1, 2}) {
+    writer.write({static_cast<std::int64_t>(id) * 1'000'000, recording::depth_cloud(id)});
+  }
+  writer.close();
+  McapSource source(file_, false);
+  ASSERT_FALSE(source.open());
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    Frame frame;
+    ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);
+    EXPECT_EQ(frame.capture_time_ns, recording::depth_cloud(id).header.capture_time_ns);
+  }
+}
+
 TEST_F(McapSourceFile, SaysWhyNothingCanBePlayed) {
   EXPECT_TRUE(McapSource(file_, false).open());
   recording::FrameWriter writer(file_);

@@ -48,7 +48,7 @@ class Mcap : public testing::Test {
 TEST_F(Mcap, GivesBackMessagesChannelsSchemasAndMetadata) {
   write_messages(file_, 10, 3);
   McapReader reader(file_);
-  EXPECT_TRUE(reader.indexed());
+  EXPECT_TRUE(reader.contents().closed);
   EXPECT_EQ(reader.contents().message_counts.at("a/topic"), 10U);
   const std::vector<Metadata> expected = {{"notes", {{"a", "b"}}}};
   EXPECT_EQ(reader.contents().metadata, expected);
@@ -66,7 +66,7 @@ TEST_F(Mcap, GivesBackMessagesChannelsSchemasAndMetadata) {
 TEST_F(Mcap, HoldsNothingWhenNothingWasWritten) {
   write_messages(file_, 0, 1);
   McapReader reader(file_);
-  EXPECT_TRUE(reader.indexed());
+  EXPECT_TRUE(reader.contents().closed);
   EXPECT_FALSE(reader.next());
 }
 
@@ -82,7 +82,7 @@ TEST_F(Mcap, ReadsOnlyTheTimesThatAreAskedFor) {
 TEST_F(Mcap, IsReadWithoutItsIndexWhenItWasCutOff) {
   write_messages(file_, 10, 2, false);
   McapReader reader(file_);
-  EXPECT_FALSE(reader.indexed());
+  EXPECT_FALSE(reader.contents().closed);
   EXPECT_EQ(times_of(reader), range(1, 10));
 }
 
@@ -147,7 +147,7 @@ TEST_F(Mcap, IsMadeWholeByRecover) {
   EXPECT_EQ(recovery.messages, 8U);
   EXPECT_EQ(recovery.problems.size(), 1U);
   McapReader reader(whole);
-  EXPECT_TRUE(reader.indexed());
+  EXPECT_TRUE(reader.contents().closed);
   EXPECT_EQ(times_of(reader), range(1, 8));
   EXPECT_TRUE(reader.problems().empty());
 }

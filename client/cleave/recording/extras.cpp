@@ -1,0 +1,26 @@
+#include "cleave/recording/extras.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "recording/mcap/reader.hpp"
+
+namespace cleave::client {
+
+std::size_t copy_extras(const std::filesystem::path& input, FrameSink& sink) {
+  if (input.extension() != ".mcap") return 0;
+  const recording::McapReader reader(input);
+  std::size_t damaged = 0;
+  for (const recording::Attachment& attachment : reader.contents().attachments) {
+    try {
+      sink.add_attachment(attachment, reader.read(attachment));
+    } catch (const recording::DataError& error) {
+      spdlog::warn("attachment '{}': {}", attachment.name, error.what());
+      ++damaged;
+    }
+  }
+  for (const recording::Metadata& metadata : reader.contents().metadata)
+    sink.add_metadata(metadata);
+  return damaged;
+}
+
+}  // namespace cleave::client

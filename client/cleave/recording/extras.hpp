@@ -1,0 +1,16 @@
+// What a recording holds beside frames.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "cleave/recording/frame_sink.hpp"
+
+namespace cleave::client {
+
+// Attachments and metadata of a recording (.mcap) go into the sink, which may have no place for
+// them; other kinds of input have none. Returns how many were damaged: these are named and left
+// out. Throws recording::FileError.
+[[nodiscard]] std::size_t copy_extras(const std::filesystem::path& input, FrameSink& sink);
+
+}  // namespace cleave::client
