@@ -39,16 +39,17 @@ std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
 
 }  // namespace
 
-std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop) {
+std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop,
+                                    std::optional<recording::Unit> unit) {
   const std::size_t colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : uri.substr(colon + 1);
   if (colon != std::string::npos) {
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
-    if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
+    if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop, unit);
     if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
-    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop);
+    if (scheme == "mcap" && !rest.empty()) return std::make_unique<McapSource>(rest, loop, unit);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recording/error.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -17,6 +18,10 @@ constexpr std::chrono::seconds first_frame_patience{10};
 
 const recording::Cloud& cloud_of(const AheadFrame& ahead) {
   return std::get<recording::Cloud>(ahead.frame.content);
+}
+
+std::span<float> points_of(AheadFrame& ahead) {
+  return std::get<recording::Cloud>(ahead.frame.content).xyz;
 }
 
 Frame frame_of(const recording::FrameHeader& h) {
@@ -31,8 +36,9 @@ Frame frame_of(const recording::FrameHeader& h) {
 
 }  // namespace
 
-McapSource::McapSource(const std::filesystem::path& path, bool loop)
-    : path_(std::filesystem::absolute(path)), loop_(loop) {}
+McapSource::McapSource(const std::filesystem::path& path, bool loop,
+                       std::optional<recording::Unit> unit)
+    : path_(std::filesystem::absolute(path)), loop_(loop), unit_(unit) {}
 
 Failure McapSource::open() {
   held_.reset();
@@ -44,9 +50,12 @@ Failure McapSource::open() {
     AheadFrame first;
     if (reader_->next(first_frame_patience, first) == ReadAhead::Result::frame) {
       sensor_ = first.frame.header().sensor;
+      if (!unit_) recording::make_metres(points_of(first), unit_, path_.string());
       next_ = std::move(first);
       return std::nullopt;
     }
+  } catch (const recording::WrongUnit& error) {
+    return error.what();
   } catch (const recording::FileError& error) {
     return error.what();
   }
@@ -91,6 +100,7 @@ Poll McapSource::next(std::chrono::milliseconds timeout, Frame& frame) {
 void McapSource::write_points(float* xyz) {
   const std::vector<float>& points = cloud_of(*held_).xyz;
   std::copy(points.begin(), points.end(), xyz);
+  recording::scale_to_metres({xyz, points.size()}, unit_.value_or(recording::Unit::metre));
 }
 
 void McapSource::note_problems() {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "recording/frames/read_ahead.hpp"
+#include "recording/units/unit.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
@@ -16,7 +17,10 @@ namespace cleave::sensor {
 // and passed over.
 class McapSource : public Source {
  public:
-  McapSource(const std::filesystem::path& path, bool loop);
+  // `unit`: of the clouds, which are scaled to metres. Without one, open() refuses a recording
+  // whose first cloud seems to be in millimetres.
+  McapSource(const std::filesystem::path& path, bool loop,
+             std::optional<recording::Unit> unit = {});
 
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
@@ -30,6 +34,7 @@ class McapSource : public Source {
 
   std::filesystem::path path_;
   bool loop_;
+  std::optional<recording::Unit> unit_;
   std::string sensor_;
   std::unique_ptr<recording::ReadAhead> reader_;
   std::optional<recording::AheadFrame> held_;  // write_points() writes its points

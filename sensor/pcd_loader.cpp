@@ -4,10 +4,13 @@
 
 #include <utility>
 
+#include "recording/units/suspected_unit.hpp"
+
 namespace cleave::sensor {
 
-PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop, std::size_t cache_bytes)
-    : loop_(loop), cache_left_bytes_(loop ? cache_bytes : 0) {
+PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop,
+                     std::optional<recording::Unit> unit, std::size_t cache_bytes)
+    : loop_(loop), unit_(unit), cache_left_bytes_(loop ? cache_bytes : 0) {
   for (std::filesystem::path& file : files) files_.push_back({std::move(file), nullptr});
   thread_ = std::thread([this] { run(); });
 }
@@ -64,9 +67,22 @@ std::size_t PcdLoader::pass(bool is_first) {
   return handed_over;
 }
 
+std::variant<PointCloud, PcdProblem> PcdLoader::read_metres(
+    const std::filesystem::path& file) const {
+  std::variant<PointCloud, PcdProblem> read = read_pcd(file);
+  if (auto* const cloud = std::get_if<PointCloud>(&read)) {
+    try {
+      recording::make_metres(cloud->xyz, unit_, file.filename().string());
+    } catch (const recording::WrongUnit& error) {
+      return PcdProblem{"wrong unit", error.what()};
+    }
+  }
+  return read;
+}
+
 std::shared_ptr<const PointCloud> PcdLoader::load(File& file) {
   if (file.cached) return file.cached;
-  std::variant<PointCloud, PcdProblem> read = read_pcd(file.path);
+  std::variant<PointCloud, PcdProblem> read = read_metres(file.path);
   if (const auto* const problem = std::get_if<PcdProblem>(&read)) {
     spdlog::warn("skipped {}: {}: {}", file.path.string(), problem->cause, problem->detail);
     const std::lock_guard lock(mutex_);

@@ -10,8 +10,10 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
+#include "recording/units/unit.hpp"
 #include "sensor/pcd_reader.hpp"
 
 namespace cleave::sensor {
@@ -23,10 +25,12 @@ struct LoadedCloud {
 
 class PcdLoader {
  public:
-  // Unusable files are named in the log with the reason, counted, and not tried again. With `loop`
-  // the files are read over and over, as long as one is usable; as many as fit into `cache_bytes`
-  // stay decoded in memory.
+  // `unit`: of the files, which are scaled to metres; without one, those that seem to be in
+  // millimetres are unusable. Unusable files are named in the log with the reason, counted, and not
+  // tried again. With `loop` the files are read over and over, as long as one is usable; as many as
+  // fit into `cache_bytes` stay decoded in memory.
   PcdLoader(std::vector<std::filesystem::path> files, bool loop,
+            std::optional<recording::Unit> unit = {},
             std::size_t cache_bytes = std::size_t{512} << 20U);
   ~PcdLoader();
   PcdLoader(const PcdLoader&) = delete;
@@ -46,9 +50,11 @@ class PcdLoader {
   void run();
   std::size_t pass(bool is_first);  // clouds handed over
   std::shared_ptr<const PointCloud> load(File& file);
+  std::variant<PointCloud, PcdProblem> read_metres(const std::filesystem::path& file) const;
   bool hand_over(LoadedCloud loaded);  // false: asked to stop
 
   bool loop_;
+  std::optional<recording::Unit> unit_;
   std::size_t cache_left_bytes_;
   std::vector<File> files_;  // of the thread
 

@@ -53,7 +53,9 @@ int run(int argc, char** argv) {
     const StreamOptions options = stream_options(config.stream);
     const VideoMode mode{config.video.width, config.video.height, config.fps,
                          config.video.registration, config.video.mirror};
-    return run(settings, make_source(config.source, mode, config.loop), options, argv);
+    return run(settings,
+               make_source(config.source, mode, config.loop, recording::unit_named(config.unit)),
+               options, argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
     return 2;

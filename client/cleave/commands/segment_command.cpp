@@ -1,5 +1,7 @@
 #include "cleave/commands/segment_command.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -10,6 +12,9 @@
 #include "cleave/cloud/png_file.hpp"
 #include "cleave/cloud/segment_table.hpp"
 #include "cleave/commands/segmentation_options.hpp"
+#include "cleave/commands/unit_option.hpp"
+#include "recording/units/suspected_unit.hpp"
+#include "segmentation/result_check.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
@@ -23,14 +28,15 @@ struct SegmentOptions {
   std::string output;
   std::string picture;  // empty = none
   bool json = false;
+  UnitArgument unit;
   SegmentationArguments segmentation;
 };
 
-Segmentation segment(const PcdCloud& cloud, std::vector<std::uint16_t>& labels,
+Segmentation segment(const segmentation::CloudView& cloud, std::vector<std::uint16_t>& labels,
                      const SegmentOptions& options) {
   segmentation::Segmenter segmenter(options_of(options.segmentation));
   Segmentation result;
-  const Outcome outcome = segmenter.segment(cloud.view(), labels, result);
+  const Outcome outcome = segmenter.segment(cloud, labels, result);
   if (outcome == Outcome::no_finite_point) {
     throw PcdError(options.input +
                    ": no point has finite coordinates; there is nothing to segment");
@@ -38,6 +44,14 @@ Segmentation segment(const PcdCloud& cloud, std::vector<std::uint16_t>& labels,
   if (outcome == Outcome::bad_size) {
     throw PcdError(options.input + ": the segmentation takes no cloud of this size");
   }
+  if (outcome == Outcome::too_many_segments) {
+    throw PcdError(options.input +
+                   ": falls into more than 65535 segments, which is all that labels can name; set "
+                   "clean_up.min_segment_points, or a larger voxel.size_m and "
+                   "supervoxel.seed_spacing_m");
+  }
+  const std::string_view advice = segmentation::advice_on(segmentation::doubt_about(result));
+  if (!advice.empty()) spdlog::warn("{}: {}", options.input, advice);
   return result;
 }
 
@@ -61,11 +75,15 @@ void print(const Segmentation& result, const PcdCloud& cloud, const SegmentOptio
 int run(const SegmentOptions& options) {
   PcdCloud cloud = PcdCloud::read(options.input);
   std::vector<std::uint16_t> labels(cloud.header().points());
-  const Segmentation result = segment(cloud, labels, options);
+  const segmentation::CloudView as_written = cloud.view();
+  std::vector<float> xyz(as_written.xyz, as_written.xyz + 3 * as_written.size());
+  recording::make_metres(xyz, options.unit.unit(), options.input);
+  const segmentation::CloudView view{xyz.data(), 3, as_written.width, as_written.height};
+  const Segmentation result = segment(view, labels, options);
   cloud.set_labels(labels);
   write_pcd(options.output, cloud);
   if (!options.picture.empty()) {
-    write_png(options.picture, segment_picture(depth_image(cloud.view(), labels)));
+    write_png(options.picture, segment_picture(depth_image(view, labels)));
   }
   print(result, cloud, options);
   return exit_done;
@@ -82,14 +100,17 @@ void add_segment_command(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
+  add_unit_option(*command, options->unit);
   add_segmentation_options(*command, options->segmentation);
   command->footer(
       "Examples:\n"
       "  cleave segment in.pcd out.pcd\n"
       "  cleave segment in.pcd out.pcd --picture out.png --set voxel.size_m=0.005\n"
+      "  cleave segment scan.pcd out.pcd --unit mm\n"
       "\n"
-      "OUTPUT keeps the points, their order and organisation, VIEWPOINT and every other field;\n"
-      "label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, else\n"
+      "OUTPUT keeps the points in their unit, their order and organisation, VIEWPOINT and every\n"
+      "other field; label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, "
+      "else\n"
       "binary_compressed, and appears whole or not at all.\n"
       "\n" +
       list_options());

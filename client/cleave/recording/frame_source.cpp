@@ -32,12 +32,13 @@ std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path) {
 }
 
 std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
-                                               const std::string& sensor) {
+                                               const std::string& sensor,
+                                               std::optional<recording::Unit> unit) {
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
   }
   if (std::filesystem::is_directory(path) || path.extension() == ".pcd") {
-    return open_pcd(path, sensor);
+    return open_pcd(path, sensor, unit);
   }
   if (path.extension() == ".mcap") return open_mcap(path);
   if (path.extension() == ".oni") return open_oni(path, sensor);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "recording/frames/frame.hpp"
+#include "recording/units/unit.hpp"
 
 namespace cleave::client {
 
@@ -26,15 +27,18 @@ class FrameSource {
 };
 
 // By the path's kind: an MCAP file, an .oni file, a PCD file or a folder of them. `sensor` names
-// what has no name of its own. Throws UsageError for any other kind, std::runtime_error for what
+// what has no name of its own, `unit` is that of PCD files: without one, millimetres are refused.
+// Throws UsageError for any other kind, std::runtime_error for what
 // cannot be opened.
-[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::filesystem::path& path,
-                                                             const std::string& sensor);
+[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(
+    const std::filesystem::path& path, const std::string& sensor,
+    std::optional<recording::Unit> unit = {});
 
 // One for each kind.
 [[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const std::filesystem::path& path);
 [[nodiscard]] std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
-                                                    const std::string& sensor);
+                                                    const std::string& sensor,
+                                                    std::optional<recording::Unit> unit);
 [[nodiscard]] std::unique_ptr<FrameSource> open_oni(const std::filesystem::path& path,
                                                     const std::string& sensor);
 

@@ -12,6 +12,7 @@
 #include "cleave/recording/frame_source.hpp"
 #include "libcleave/types.hpp"
 #include "recording/cloud/fit_intrinsics.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
@@ -32,8 +33,9 @@ std::vector<float> stream_points(const segmentation::CloudView& view) {
 
 class PcdFrames : public FrameSource {
  public:
-  PcdFrames(const std::filesystem::path& path, std::string sensor)
-      : files_(pcd_files(path)), sensor_(std::move(sensor)) {}
+  PcdFrames(const std::filesystem::path& path, std::string sensor,
+            std::optional<recording::Unit> unit)
+      : files_(pcd_files(path)), sensor_(std::move(sensor)), unit_(unit) {}
 
   std::optional<recording::Frame> next() override {
     while (next_ < files_.size()) {
@@ -58,6 +60,7 @@ class PcdFrames : public FrameSource {
     }
     recording::Cloud cloud;
     cloud.xyz = stream_points(view);
+    recording::make_metres(cloud.xyz, unit_, file.string());
     const recording::Intrinsics k =
         recording::fit_intrinsics(cloud.xyz.data(), view.width, view.height);
     const std::int64_t time_ns = static_cast<std::int64_t>(frames_) * period_ns;
@@ -76,6 +79,7 @@ class PcdFrames : public FrameSource {
 
   std::vector<std::filesystem::path> files_;
   std::string sensor_;
+  std::optional<recording::Unit> unit_;
   std::size_t next_ = 0;
   std::uint64_t frames_ = 0;
   std::size_t skipped_ = 0;
@@ -83,9 +87,9 @@ class PcdFrames : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
-                                      const std::string& sensor) {
-  return std::make_unique<PcdFrames>(path, sensor);
+std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path, const std::string& sensor,
+                                      std::optional<recording::Unit> unit) {
+  return std::make_unique<PcdFrames>(path, sensor, unit);
 }
 
 }  // namespace cleave::client
