@@ -22,6 +22,10 @@ VideoConfig read_video_config(Section& file) {
   return config;
 }
 
+bool is_unit(const std::string& name) {
+  return name.empty() || name == "m" || name == "cm" || name == "mm";
+}
+
 bool is_frame_name(const std::string& name) {
   return name.size() <= max_frame_name_length &&
          std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
@@ -39,6 +43,8 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path) {
     file.refuse("coordinate_frame", "at most 63 printable ASCII characters without blanks");
   }
   file.text("source", config.source);
+  file.text("unit", config.unit);
+  if (!is_unit(config.unit)) file.refuse("unit", "m, cm, mm, or \"\"");
   file.integer("fps", config.fps, 1, 240);
   file.number("max_gap_s", config.max_gap_s, 0, 86'400);
   file.boolean("loop", config.loop);

@@ -39,24 +39,26 @@ std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
   return std::make_unique<OpenNi2Source>(std::move(uri), mode);
 }
 
-std::unique_ptr<Source> make_mcap(const std::string& text, bool loop, recording::GapLimit gaps) {
+std::unique_ptr<Source> make_mcap(const std::string& text, const Playback& playback) {
   const recording::FileTopic from = recording::split_topic(text);
-  return std::make_unique<McapSource>(from.file, loop, from.topic, gaps);
+  return std::make_unique<McapSource>(from.file, playback.loop, from.topic, playback.gaps,
+                                      playback.unit);
 }
 
 }  // namespace
 
 std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop,
-                                    recording::GapLimit gaps) {
+std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
+                                    const Playback& playback) {
   const std::size_t colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : uri.substr(colon + 1);
   if (colon != std::string::npos) {
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
-    if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, loop);
-    if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, loop);
-    if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, loop, gaps);
+    if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, playback.loop, playback.unit);
+    if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, playback.loop);
+    if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, playback);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
 }

@@ -2,19 +2,26 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "recording/frames/gap_limit.hpp"
+#include "recording/units/unit.hpp"
 #include "sensor/openni2_source.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
 
+// How recordings are played.
+struct Playback {
+  bool loop = false;
+  std::optional<recording::Unit> unit = {};             // of the points of pcd: and mcap:
+  recording::GapLimit gaps = recording::GapLimit();     // of those with a timing of their own
+};
+
 // openni2:[URI], synthetic:SCENE, pcd:PATH, oni:FILE, mcap:FILE[?topic=TOPIC]. `mode` is asked of
-// cameras; `loop` is for recordings, `gaps` for those with a timing of their own. Opens nothing.
-// Throws std::invalid_argument, listing the sources, for any other URI.
+// cameras. Opens nothing. Throws std::invalid_argument, listing the sources, for any other URI.
 [[nodiscard]] std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
-                                                  bool loop,
-                                                  recording::GapLimit gaps = recording::GapLimit());
+                                                  const Playback& playback);
 
 }  // namespace cleave::sensor

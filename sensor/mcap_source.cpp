@@ -7,6 +7,7 @@
 
 #include "recording/error.hpp"
 #include "recording/ros/open_frames.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -19,6 +20,10 @@ constexpr char too_large[] = "more than 640 x 480 points";
 
 const recording::Cloud& cloud_of(const AheadFrame& ahead) {
   return std::get<recording::Cloud>(ahead.frame.content);
+}
+
+std::span<float> points_of(AheadFrame& ahead) {
+  return std::get<recording::Cloud>(ahead.frame.content).xyz;
 }
 
 Frame frame_of(const recording::FrameHeader& h) {
@@ -43,11 +48,12 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 }  // namespace
 
 McapSource::McapSource(const std::filesystem::path& path, bool loop, std::string topic,
-                       recording::GapLimit gaps)
+                       recording::GapLimit gaps, std::optional<recording::Unit> unit)
     : path_(std::filesystem::absolute(path)),
       topic_(std::move(topic)),
       loop_(loop),
-      gaps_(gaps) {}
+      gaps_(gaps),
+      unit_(unit) {}
 
 Failure McapSource::open() {
   held_.reset();
@@ -64,9 +70,12 @@ Failure McapSource::open() {
     AheadFrame first;
     if (read(first_frame_patience, first) == ReadAhead::Result::frame) {
       sensor_ = first.frame.header().sensor;
+      if (!unit_) recording::make_metres(points_of(first), unit_, path_.string());
       next_ = std::move(first);
       return std::nullopt;
     }
+  } catch (const recording::WrongUnit& error) {
+    return error.what();
   } catch (const recording::FileError& error) {
     return error.what();
   }
@@ -131,6 +140,7 @@ std::chrono::nanoseconds McapSource::until_next() {
 void McapSource::write_points(float* xyz) {
   const std::vector<float>& points = cloud_of(*held_).xyz;
   std::copy(points.begin(), points.end(), xyz);
+  recording::scale_to_metres({xyz, points.size()}, unit_.value_or(recording::Unit::metre));
 }
 
 void McapSource::note_problems() {

@@ -9,6 +9,7 @@
 
 #include "recording/frames/gap_limit.hpp"
 #include "recording/frames/read_ahead.hpp"
+#include "recording/units/unit.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
@@ -20,8 +21,11 @@ namespace cleave::sensor {
 // clock jumps, the next frame is due after the longest gap at most, which is said once.
 class McapSource : public Source {
  public:
+  // `unit`: of the clouds, which are scaled to metres. Without one, open() refuses a recording
+  // whose first cloud seems to be in millimetres.
   McapSource(const std::filesystem::path& path, bool loop, std::string topic = "",
-             recording::GapLimit gaps = recording::GapLimit());
+             recording::GapLimit gaps = recording::GapLimit(),
+             std::optional<recording::Unit> unit = {});
 
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
@@ -41,6 +45,7 @@ class McapSource : public Source {
   std::string topic_;  // empty: the only one
   bool loop_;
   recording::GapLimit gaps_;
+  std::optional<recording::Unit> unit_;
   std::string sensor_;
   std::unique_ptr<recording::ReadAhead> reader_;
   std::optional<recording::AheadFrame> held_;  // write_points() writes its points

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "recording/pcd/error.hpp"
+#include "recording/units/suspected_unit.hpp"
 #include "sensor/source.hpp"
 
 namespace cleave::sensor {
 
-PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop, std::size_t cache_bytes)
-    : loop_(loop), cache_left_bytes_(loop ? cache_bytes : 0) {
+PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop,
+                     std::optional<recording::Unit> unit, std::size_t cache_bytes)
+    : loop_(loop), unit_(unit), cache_left_bytes_(loop ? cache_bytes : 0) {
   for (std::filesystem::path& file : files) files_.push_back({std::move(file), nullptr});
   thread_ = std::thread([this] { run(); });
 }
@@ -69,15 +71,19 @@ std::size_t PcdLoader::pass(bool is_first) {
 
 std::shared_ptr<const StreamCloud> PcdLoader::load(File& file) {
   if (file.cached) return file.cached;
-  std::shared_ptr<const StreamCloud> cloud;
-  try {
-    cloud = std::make_shared<const StreamCloud>(
-        recording::read_stream_cloud(file.path, capacity_points));
-  } catch (const recording::PcdError& error) {
-    spdlog::warn("skipped {} ({})", error.what(), name_of(error.cause()));
+  const auto skip = [this](const char* why, const std::string& cause) {
+    spdlog::warn("skipped {} ({})", why, cause);
     const std::lock_guard lock(mutex_);
-    ++unusable_[name_of(error.cause())];
+    ++unusable_[cause];
     return nullptr;
+  };
+  auto cloud = std::make_shared<StreamCloud>();
+  try {
+    *cloud = recording::read_stream_cloud(file.path, capacity_points, unit_);
+  } catch (const recording::PcdError& error) {
+    return skip(error.what(), name_of(error.cause()));
+  } catch (const recording::WrongUnit& error) {
+    return skip(error.what(), "wrong unit");
   }
   note_origin(file, *cloud);
   const std::size_t bytes = cloud->xyz.size() * sizeof(float);

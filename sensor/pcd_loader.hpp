@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "recording/pcd/stream_cloud.hpp"
+#include "recording/units/unit.hpp"
 
 namespace cleave::sensor {
 
@@ -25,11 +26,13 @@ struct LoadedCloud {
 
 class PcdLoader {
  public:
-  // Unusable files are named in the log with the reason, counted, and not tried again. With `loop`
-  // the files are read over and over, as long as one is usable; as many as fit into `cache_bytes`
-  // stay decoded in memory. A cloud that is relative to an origin is named in the log, the first
-  // one.
+  // `unit`: of the files, which are scaled to metres; without one, those that seem to be in
+  // millimetres are unusable. Unusable files are named in the log with the reason, counted, and not
+  // tried again. With `loop` the files are read over and over, as long as one is usable; as many as
+  // fit into `cache_bytes` stay decoded in memory. A cloud that is relative to an origin is named in
+  // the log, the first one.
   PcdLoader(std::vector<std::filesystem::path> files, bool loop,
+            std::optional<recording::Unit> unit = {},
             std::size_t cache_bytes = std::size_t{512} << 20U);
   ~PcdLoader();
   PcdLoader(const PcdLoader&) = delete;
@@ -53,6 +56,7 @@ class PcdLoader {
   bool hand_over(LoadedCloud loaded);  // false: asked to stop
 
   bool loop_;
+  std::optional<recording::Unit> unit_;
   std::size_t cache_left_bytes_;
   std::vector<File> files_;        // of the thread
   bool has_noted_origin_ = false;  // of the thread

@@ -24,8 +24,9 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 
 }  // namespace
 
-PcdSource::PcdSource(const std::filesystem::path& path, bool loop)
-    : path_(std::filesystem::absolute(path)), loop_(loop) {}
+PcdSource::PcdSource(const std::filesystem::path& path, bool loop,
+                     std::optional<recording::Unit> unit)
+    : path_(std::filesystem::absolute(path)), loop_(loop), unit_(unit) {}
 
 Failure PcdSource::open() {
   const recording::PcdFiles found = recording::list_pcd_files(path_);
@@ -36,7 +37,7 @@ Failure PcdSource::open() {
   for (const auto& file : found.others) {
     spdlog::warn("skipped {}: {}: its name does not end in .pcd", file.string(), wrong_extension);
   }
-  loader_ = std::make_unique<PcdLoader>(found.files, loop_);
+  loader_ = std::make_unique<PcdLoader>(found.files, loop_, unit_);
   if (loader_->wait_for_first()) return std::nullopt;
   const std::string skipped = summary(counts().unusable);
   return "looked for *.pcd in " + path_.string() +

@@ -12,7 +12,8 @@ namespace cleave::sensor {
 class PcdSource : public Source {
  public:
   // A file, or a folder whose *.pcd files are read in natural order, again and again with `loop`.
-  PcdSource(const std::filesystem::path& path, bool loop);
+  // `unit`: see PcdLoader.
+  PcdSource(const std::filesystem::path& path, bool loop, std::optional<recording::Unit> unit = {});
 
   // Fails when nothing usable is found; says what was looked for.
   [[nodiscard]] Failure open() override;
@@ -25,6 +26,7 @@ class PcdSource : public Source {
  private:
   std::filesystem::path path_;
   bool loop_;
+  std::optional<recording::Unit> unit_;
   std::uint64_t other_files_ = 0;
   std::unique_ptr<PcdLoader> loader_;
   std::shared_ptr<const StreamCloud> held_;

@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "idl/topics.hpp"
+#include "recording/units/unit.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -25,6 +27,7 @@ constexpr char examples[] =
     "  cleave-grabber --config grabber.yaml --source pcd:recordings --lossless\n"
     "  cleave-grabber --config grabber.yaml --source oni:table.oni --lossless\n"
     "  cleave-grabber --config grabber.yaml --source pcd:scene.pcd --loop --fps 10\n"
+    "  cleave-grabber --config grabber.yaml --source pcd:scans --unit mm\n"
     "\n"
     "Ends with 0 when it is done, 1 when it failed, 2 for wrong usage or configuration.\n"
     "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_LOG sets the log level (trace to error).\n";
@@ -40,7 +43,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
                "cleave-grabber");
   app.footer(examples);
   std::string file;
-  std::optional<std::string> source, sensor;
+  std::optional<std::string> source, sensor, unit;
   std::optional<std::uint32_t> fps;
   std::optional<std::uint64_t> frames;
   std::optional<double> max_gap_s;
@@ -49,6 +52,9 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   app.add_option("--source", source, "where frames come from, a URI as below");
   app.add_option("--sensor", sensor, "name of the sensor in the topics")
       ->check(CLI::Validator(check_sensor, "NAME"));
+  app.add_option("--unit", unit, "unit of the points of pcd: and mcap:, scaled to metres")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(recording::unit_names.begin(), recording::unit_names.end())));
   app.add_option("--fps", fps, "frames a second")->check(CLI::Range(1, 240));
   app.add_option("--frames", frames, "end after so many published frames")
       ->check(CLI::PositiveNumber);
@@ -66,6 +72,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   config::GrabberConfig& config = settings.config;
   if (source) config.source = *source;
   if (sensor) config.sensor = *sensor;
+  if (unit) config.unit = *unit;
   if (fps) config.fps = *fps;
   if (max_gap_s) config.max_gap_s = *max_gap_s;
   if (loop) config.loop = true;

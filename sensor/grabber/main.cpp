@@ -53,8 +53,9 @@ int run(int argc, char** argv) {
     const StreamOptions options = stream_options(config.stream);
     const VideoMode mode{config.video.width, config.video.height, config.fps,
                          config.video.registration, config.video.mirror};
-    const recording::GapLimit gaps(config.max_gap_s);
-    return run(settings, make_source(config.source, mode, config.loop, gaps), options, argv);
+    const Playback playback{config.loop, recording::unit_named(config.unit),
+                            recording::GapLimit(config.max_gap_s)};
+    return run(settings, make_source(config.source, mode, playback), options, argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
     return 2;

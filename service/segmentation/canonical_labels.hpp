@@ -14,10 +14,12 @@ inline constexpr std::size_t max_labels = std::numeric_limits<std::uint16_t>::ma
 
 class LabelOrder {
  public:
-  // Label of every segment: 1 for the most points, ties by the lowest point, 0 for none. Beyond
-  // max_labels, the smallest segments share the last label.
-  void order(std::span<const PointRun> runs, std::size_t segments,
-             std::vector<std::uint16_t>& label_of_segment);
+  // `settled`: of a segment, the one that its points belong to, or DustSettler::dropped. Label of
+  // every segment: 1 for the most points, ties by the lowest point, 0 for no point and for dropped
+  // ones. False, without any label, if there are more than max_labels.
+  [[nodiscard]] bool order(std::span<const PointRun> runs,
+                           const std::vector<std::uint32_t>& settled,
+                           std::vector<std::uint16_t>& label_of_segment);
 
  private:
   struct Entry {

@@ -38,6 +38,22 @@ void CellPath::label_points(const Supervoxels& supervoxels,
   list_runs(pixels_, runs_);
 }
 
+// Only points of cells' front layers count: few are behind.
+CloudSpacing CellPath::spacing() const {
+  double points = 0;
+  double cells = 0;
+  double depth_m = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (!cells_.occupied(i)) continue;
+    points += cells_.points[i];
+    depth_m += cells_.z[i];
+    cells += 1;
+  }
+  return {.points = static_cast<std::size_t>(points),
+          .points_a_cell = points / cells,
+          .cell_m = cells_.pitch * depth_m / cells};
+}
+
 SegmentedPoints CellPath::points() const {
   return {pixels_.x.data(), pixels_.y.data(), pixels_.z.data(), &runs_};
 }

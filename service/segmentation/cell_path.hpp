@@ -16,6 +16,7 @@
 #include "segmentation/options.hpp"
 #include "segmentation/pixel_image.hpp"
 #include "segmentation/point_runs.hpp"
+#include "segmentation/spacing/cloud_spacing.hpp"
 #include "segmentation/surface.hpp"
 
 namespace cleave::segmentation {
@@ -25,6 +26,7 @@ class CellPath {
  public:
   // False if the cloud is not an image from one viewpoint: see CellImager.
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
+  [[nodiscard]] CloudSpacing spacing() const;
   void estimate_normals();
   void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
   void find_adjacent_pairs(const Supervoxels& supervoxels, std::vector<AdjacentPair>& pairs);

@@ -10,6 +10,7 @@
 #include "segmentation/coarse_graph.hpp"
 #include "segmentation/no_index.hpp"
 #include "segmentation/option_checks.hpp"
+#include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/spectral_cuts.hpp"
 #include "segmentation/supervoxel_graph.hpp"
 #include "segmentation/voxel_path.hpp"
@@ -100,7 +101,7 @@ bool gather(const CloudView& cloud, const Options& options, Scene& scene) {
   if (options.representation == Representation::cells &&
       options.voxel.viewpoint != Viewpoint::multiple && cells.gather(cloud, options.voxel)) {
     describe(
-        cells, options.supervoxel, cloud.size(),
+        cells, options_for_spacing(options, cells.spacing()).supervoxel, cloud.size(),
         [&](CellPath& path, const auto& segment, const RefineOptions& refine) {
           path.label_points(scene.supervoxels, segment, refine);
         },
@@ -110,7 +111,7 @@ bool gather(const CloudView& cloud, const Options& options, Scene& scene) {
   VoxelPath voxels;
   if (!voxels.gather(cloud, options.voxel)) return false;
   describe(
-      voxels, options.supervoxel, cloud.size(),
+      voxels, options_for_spacing(options, voxels.spacing()).supervoxel, cloud.size(),
       [&](VoxelPath& path, const auto& segment, const RefineOptions& refine) {
         path.label_points(cloud, scene.supervoxels, segment, refine);
       },

@@ -39,6 +39,8 @@ void visit_options(Options& options, Visitor&& visitor) {
 
   auto& voxel = options.voxel;
   visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");
+  visitor.boolean("voxel.follow_spacing", voxel.follow_spacing,
+                  "sizes left at their defaults grow with the spacing of sparse clouds");
   choice("voxel.viewpoint", voxel.viewpoint,
          std::array{Names("automatic"), Names("single"), Names("multiple")},
          "single: voxels grow with depth; multiple: they do not; automatic: single if all z > 0");
@@ -111,7 +113,7 @@ void visit_options(Options& options, Visitor&& visitor) {
   visitor.boolean("clean_up.join_across_borders", clean_up.join_across_borders,
                   "join neighbours whose common border gives no reason to part them");
   visitor.integer("clean_up.min_segment_points", clean_up.min_segment_points, 0, 1000000,
-                  "smaller segments join a neighbour; 0: off");
+                  "smaller segments join a neighbour, or become label 0; 0: off");
   visitor.integer("clean_up.weak_border_points", clean_up.weak_border_points, 0, 1000000,
                   "smaller segments join a neighbour across a weak border; 0: off");
 

@@ -9,6 +9,7 @@ Options thesis() {
   Options options;
   options.representation = Representation::voxels;
   options.voxel.size_m = 0.0075F;
+  options.voxel.follow_spacing = false;
   options.supervoxel.seed_spacing_m = 0.03F;
   options.supervoxel.normal_weight = 4;
   options.supervoxel.min_seed_voxels = 1;

@@ -30,6 +30,10 @@ struct VoxelOptions {
   // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
   // with the distance as the sampling does (section 2.1.2.1); with several, in metres.
   float size_m = 0.006F;
+  // Where the cloud is not an image and its points are too far apart for voxels of the default size
+  // to hold together, voxels grow until they do, and seeds in proportion, if theirs is the default
+  // as well: see VoxelFitter. A size_m other than the default is kept.
+  bool follow_spacing = true;
   Viewpoint viewpoint = Viewpoint::automatic;
   Neighbourhood neighbourhood = Neighbourhood::automatic;  // of voxels, not of cells
   // Shift of the grid in voxels, 0 to 1, for judging a change by its mean over several grids.
@@ -95,7 +99,9 @@ struct ConvexComponentsOptions {
 struct CleanUpOptions {
   // Neighbours whose common border gives no reason to part them join: see BorderJoiner.
   bool join_across_borders = true;
-  std::uint32_t min_segment_points = 145;  // smaller segments join a neighbour; 0 = off
+  // Smaller segments join a neighbour; those without one are no segments, but label 0; 0 = off.
+  // The default follows sparse clouds: see options_for_spacing().
+  std::uint32_t min_segment_points = 145;
   // Smaller segments, and pairs of which both have fewer than four times as many points, join
   // across a weak border: one that is cannot-link along little of its length; 0 = off.
   std::uint32_t weak_border_points = 500;

@@ -13,7 +13,7 @@ void BorderDescriber::describe(const std::vector<SupervoxelEdge>& edges,
   for (const SupervoxelEdge& edge : edges) {
     const auto [low, high] = std::minmax(label_of_segment[segment_of_supervoxel[edge.first]],
                                          label_of_segment[segment_of_supervoxel[edge.second]]);
-    // Label 0: the refinement has left the segment no point.
+    // Label 0: the refinement has left the segment no point, or too few.
     if (low == high || low == 0) continue;
     between_segments_.push_back(&edge);
     labels_.push_back((std::uint64_t{low} << 16) | high);

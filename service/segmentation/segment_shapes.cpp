@@ -30,7 +30,9 @@ void ShapeDescriber::sum_up(const SegmentedPoints& points,
   const std::size_t labels = *std::max_element(label_of_segment.begin(), label_of_segment.end());
   shapes_.assign(labels, Shape{});
   for (const PointRun& run : *points.runs) {
-    Shape& shape = shapes_[label_of_segment[run.segment] - 1U];
+    const std::uint16_t label = label_of_segment[run.segment];
+    if (label == 0) continue;
+    Shape& shape = shapes_[label - 1U];
     shape.sums.add(range_of(points, run));
     shape.left = std::min(shape.left, run.left);
     shape.right = std::max(shape.right, run.right);
@@ -41,7 +43,7 @@ void ShapeDescriber::sum_up(const SegmentedPoints& points,
 
 void ShapeDescriber::group_surface(const Surface& surface,
                                    const std::vector<std::uint16_t>& label_of_segment) {
-  // Label 0: the refinement has left the segment no point.
+  // Label 0: the refinement has left the segment no point, or too few.
   patch_begin_.assign(shapes_.size() + 1, 0);
   for (std::size_t i = 0; i < surface.segment.size(); ++i) {
     const std::uint16_t label = label_of_segment[surface.segment[i]];
@@ -82,7 +84,8 @@ void ShapeDescriber::aim(const Surface& surface, float plane_distance_m) {
 void ShapeDescriber::measure(const SegmentedPoints& points,
                              const std::vector<std::uint16_t>& label_of_segment) {
   for (const PointRun& run : *points.runs) {
-    shapes_[label_of_segment[run.segment] - 1U].extent.add(range_of(points, run));
+    const std::uint16_t label = label_of_segment[run.segment];
+    if (label != 0) shapes_[label - 1U].extent.add(range_of(points, run));
   }
 }
 

@@ -17,9 +17,9 @@ namespace cleave::segmentation {
 
 class ShapeDescriber {
  public:
-  // `label_of_segment`: canonical labels. `surface`: tells normals and how boxes are turned; a
-  // segment that it lacks is judged by its points alone. `organised`: whether runs have columns and
-  // rows.
+  // `label_of_segment`: canonical labels; 0 for what is no segment. `surface`: tells normals and
+  // how boxes are turned; a segment that it lacks is judged by its points alone. `organised`:
+  // whether runs have columns and rows.
   void describe(const SegmentedPoints& points, const Surface& surface, bool organised,
                 const std::vector<std::uint16_t>& label_of_segment, const DescribeOptions& options,
                 std::vector<Segment>& segments);

@@ -41,9 +41,11 @@ struct Border {
 // segments[i].label == i + 1; label 1 has most points, ties by lowest point index.
 struct Segmentation {
   std::vector<Segment> segments;
-  std::vector<Border> borders;  // sorted by (first, second)
+  std::vector<Border> borders;        // sorted by (first, second)
+  std::uint32_t measured_points = 0;  // those of the cloud that are finite, of no segment or one
 };
 
-enum class Outcome { segmented, bad_size, no_finite_point };
+// too_many_segments: more than max_labels, which is all that a label can tell apart.
+enum class Outcome { segmented, bad_size, no_finite_point, too_many_segments };
 
 }  // namespace cleave::segmentation

@@ -7,10 +7,12 @@
 #include "segmentation/canonical_labels.hpp"
 #include "segmentation/cell_path.hpp"
 #include "segmentation/clean_up.hpp"
+#include "segmentation/dust/dust_settler.hpp"
 #include "segmentation/graph_partition.hpp"
 #include "segmentation/option_checks.hpp"
 #include "segmentation/segment_borders.hpp"
 #include "segmentation/segment_shapes.hpp"
+#include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/supervoxel_graph.hpp"
 #include "segmentation/voxel_path.hpp"
 
@@ -24,6 +26,7 @@ struct Segmenter::Workspace {
   GraphPartitioner partitioner;
   BorderJoiner joiner;
   SmallSegmentMerger merger;
+  DustSettler dust_settler;
   LabelOrder label_order;
   ShapeDescriber shape_describer;
   BorderDescriber border_describer;
@@ -35,6 +38,7 @@ struct Segmenter::Workspace {
   std::vector<SupervoxelEdge> edges;
   std::uint32_t segments = 0;
   std::vector<std::uint32_t> segment_of_supervoxel;
+  std::vector<std::uint32_t> settled;  // of a segment: the one that its points belong to
   std::vector<std::uint16_t> label_of_segment;
   Surface surface;
 
@@ -43,9 +47,12 @@ struct Segmenter::Workspace {
   void cluster_supervoxels(const Options& options);
   void build_graph(const Options& options);
   void clean_up(const Options& options);
-  void label_points(const CloudView& cloud, const RefineOptions& options,
+  bool label_points(const CloudView& cloud, const Options& options,
                     std::span<std::uint16_t> labels);
   void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
+  [[nodiscard]] CloudSpacing spacing() const {
+    return on_cells ? cell_path.spacing() : voxel_path.spacing();
+  }
   [[nodiscard]] SegmentedPoints points() const {
     return on_cells ? cell_path.points() : voxel_path.points();
   }
@@ -102,13 +109,17 @@ void Segmenter::Workspace::clean_up(const Options& options) {
   merger.merge(edges, supervoxels.point_count, segments, clean_up, segment_of_supervoxel);
 }
 
-void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
+// False if there are more segments than labels.
+bool Segmenter::Workspace::label_points(const CloudView& cloud, const Options& options,
                                         std::span<std::uint16_t> labels) {
-  on_cells ? cell_path.label_points(supervoxels, segment_of_supervoxel, options)
-           : voxel_path.label_points(cloud, supervoxels, segment_of_supervoxel, options);
-  label_order.order(*points().runs, segments, label_of_segment);
+  on_cells ? cell_path.label_points(supervoxels, segment_of_supervoxel, options.refine)
+           : voxel_path.label_points(cloud, supervoxels, segment_of_supervoxel, options.refine);
+  dust_settler.settle(*points().runs, edges, segment_of_supervoxel, segments,
+                      options.clean_up.min_segment_points, settled);
+  if (!label_order.order(*points().runs, settled, label_of_segment)) return false;
   on_cells ? cell_path.write_labels(label_of_segment, labels)
            : voxel_path.write_labels(label_of_segment, labels);
+  return true;
 }
 
 void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOptions& options,
@@ -118,6 +129,7 @@ void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOption
   shape_describer.describe(points(), surface, cloud.organised(), label_of_segment, options,
                            result.segments);
   border_describer.describe(edges, segment_of_supervoxel, label_of_segment, result.borders);
+  for (const PointRun& run : *points().runs) result.measured_points += run.end - run.begin;
 }
 
 namespace {
@@ -146,31 +158,33 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   std::fill(labels.begin(), labels.end(), std::uint16_t{0});
   result.segments.clear();
   result.borders.clear();
+  result.measured_points = 0;
   if (!has_sound_sizes(cloud, labels.size())) return Outcome::bad_size;
 
   if (!w.gather(cloud, options_)) return Outcome::no_finite_point;
+  const Options options = options_for_spacing(options_, w.spacing());
   ended(Stage::voxelise);
 
   w.estimate_normals();
   ended(Stage::normals);
 
-  w.cluster_supervoxels(options_);
+  w.cluster_supervoxels(options);
   ended(Stage::supervoxels);
 
-  w.build_graph(options_);
+  w.build_graph(options);
   ended(Stage::graph);
 
   w.segments = w.partitioner.partition(static_cast<std::uint32_t>(w.supervoxels.size()), w.edges,
-                                       options_, w.segment_of_supervoxel);
+                                       options, w.segment_of_supervoxel);
   ended(Stage::partition);
 
-  w.clean_up(options_);
+  w.clean_up(options);
   ended(Stage::clean_up);
 
-  w.label_points(cloud, options_.refine, labels);
+  if (!w.label_points(cloud, options, labels)) return Outcome::too_many_segments;
   ended(Stage::label_points);
 
-  w.describe(cloud, options_.describe, result);
+  w.describe(cloud, options.describe, result);
   ended(Stage::describe);
   return Outcome::segmented;
 }

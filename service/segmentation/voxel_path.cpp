@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <numeric>
-
-#include "segmentation/voxel_neighbours.hpp"
-
 namespace cleave::segmentation {
 
 bool VoxelPath::gather(const CloudView& cloud, const VoxelOptions& options) {
   gather_finite_points(cloud, points_);
   if (points_.size() == 0) return false;
-  voxeliser_.voxelise(points_, options, grid_);
-  find_voxel_neighbours(grid_, options.neighbourhood, neighbours_);
+  growth_ = voxel_fitter_.voxelise(points_, options, grid_, neighbours_);
+  voxel_size_ = options.size_m * growth_;
   return true;
 }
 
@@ -94,6 +91,16 @@ void VoxelPath::label_points(const CloudView& cloud, const Supervoxels& supervox
   }
   if (options.mode_filter_radius > 0 && cloud.organised()) filter_image(cloud, options);
   list_runs(points_, segment_of_point_, cloud.width, runs_);
+}
+
+CloudSpacing VoxelPath::spacing() const {
+  double depth_m = 0;
+  for (const Eigen::Vector3f& centroid : grid_.centroid) depth_m += centroid.z();
+  const auto voxels = static_cast<double>(grid_.size());
+  return {.points = points_.size(),
+          .points_a_cell = static_cast<double>(points_.size()) / voxels,
+          .cell_m = voxel_size_ * (grid_.one_viewpoint ? std::max(depth_m / voxels, 0.0) : 1),
+          .growth = growth_};
 }
 
 SegmentedPoints VoxelPath::points() const {

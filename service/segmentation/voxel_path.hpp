@@ -12,6 +12,8 @@
 #include "segmentation/options.hpp"
 #include "segmentation/point_runs.hpp"
 #include "segmentation/point_set.hpp"
+#include "segmentation/spacing/cloud_spacing.hpp"
+#include "segmentation/spacing/voxel_fitter.hpp"
 #include "segmentation/supervoxel_clustering.hpp"
 #include "segmentation/supervoxels.hpp"
 #include "segmentation/surface.hpp"
@@ -26,6 +28,7 @@ class VoxelPath {
   // False if no point is finite.
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
   [[nodiscard]] bool seen_from_one_viewpoint() const { return grid_.one_viewpoint; }
+  [[nodiscard]] CloudSpacing spacing() const;
   void estimate_normals();
   void cluster(const SupervoxelOptions& options, Supervoxels& supervoxels);
   // For Spectral Voxel Clustering, instead of cluster() and a graph of supervoxels: each voxel is
@@ -47,7 +50,7 @@ class VoxelPath {
  private:
   void filter_image(const CloudView& cloud, const RefineOptions& options);
 
-  Voxeliser voxeliser_;
+  VoxelFitter voxel_fitter_;
   NormalEstimator normal_estimator_;
   SupervoxelClusterer clusterer_;
   VoxelGraphBuilder voxel_graph_builder_;
@@ -57,6 +60,8 @@ class VoxelPath {
   MixedWindowFinder mixed_window_finder_;
   ModeFilter mode_filter_;
 
+  float growth_ = 1;
+  float voxel_size_ = 0;
   PointSet points_;
   VoxelGrid grid_;
   NeighbourLists neighbours_;   // of voxels

@@ -21,10 +21,13 @@ enum class RejectCause {
   bad_size,
   bad_header,
   no_finite_point,
-  segmentation_failed  // an exception, e.g. out of memory
+  segmentation_failed,  // an exception, e.g. out of memory
+  too_many_segments,    // more than labels can name
+  wrong_unit            // coordinates seem to be millimetres
 };
-inline constexpr std::array reject_cause_names = {"bad size", "bad header", "no finite point",
-                                                  "segmentation failed"};
+inline constexpr std::array reject_cause_names = {"bad size",          "bad header",
+                                                  "no finite point",   "segmentation failed",
+                                                  "too many segments", "wrong unit"};
 
 inline constexpr const char* to_string(DropCause cause) {
   return drop_cause_names.at(static_cast<std::size_t>(cause));

@@ -43,6 +43,8 @@ std::optional<RejectCause> reject_cause(segmentation::Outcome outcome) {
       return std::nullopt;
     case segmentation::Outcome::bad_size:
       return RejectCause::bad_size;
+    case segmentation::Outcome::too_many_segments:
+      return RejectCause::too_many_segments;
     case segmentation::Outcome::no_finite_point:
       break;
   }
@@ -58,6 +60,10 @@ cleave_v1_FrameOutcome wire_outcome(std::optional<RejectCause> cause) {
       return cleave_v1_OUTCOME_REJECTED_BAD_HEADER;
     case RejectCause::no_finite_point:
       return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
+    case RejectCause::too_many_segments:
+      return cleave_v1_OUTCOME_REJECTED_TOO_MANY_SEGMENTS;
+    case RejectCause::wrong_unit:
+      return cleave_v1_OUTCOME_REJECTED_WRONG_UNIT;
     case RejectCause::segmentation_failed:
       break;
   }

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "recording/units/suspected_unit.hpp"
+#include "segmentation/result_check.hpp"
 #include "segmenter/frame_check.hpp"
 
 namespace cleave::service {
@@ -99,7 +101,23 @@ std::optional<RejectCause> FramePipeline::segment_into(FinishedFrame& finished, 
                                                        const SegmentFunction& segment) {
   const segmentation::CloudView cloud{frame.cloud->xyz, 3, frame.header.width, frame.header.height};
   const std::span<std::uint16_t> labels(finished.labels->map().label, cloud.size());
-  return reject_cause(segment(cloud, labels, finished.segmentation));
+  if (const auto suspicion = recording::suspected_unit({cloud.xyz, 3 * cloud.size()})) {
+    report(frame, "rejected",
+           fmt::format("its points seem to be in {}: {}; the contract has metres, "
+                       "cleave-grabber --unit scales files",
+                       recording::plural_of(suspicion->unit), suspicion->evidence));
+    return RejectCause::wrong_unit;
+  }
+  const auto rejected = reject_cause(segment(cloud, labels, finished.segmentation));
+  if (!rejected) advise(segmentation::doubt_about(finished.segmentation));
+  return rejected;
+}
+
+void FramePipeline::advise(segmentation::Doubt doubt) {
+  if (doubt == segmentation::Doubt::none || advised_.exchange(true)) return;
+  problems_.report(
+      ProblemLog::Severity::warning, advice_log_,
+      fmt::format("sensor '{}': {}", settings_.sensor, segmentation::advice_on(doubt)));
 }
 
 void FramePipeline::drop(const Frame& frame, DropCause cause) {

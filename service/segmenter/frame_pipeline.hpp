@@ -2,6 +2,7 @@
 // results go to a ResultSink.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "libcleave/logging.hpp"
 #include "libcleave/types.hpp"
 #include "segmentation/cloud_view.hpp"
+#include "segmentation/result_check.hpp"
 #include "segmentation/segmentation.hpp"
 #include "segmenter/frame.hpp"
 #include "segmenter/frame_ledger.hpp"
@@ -67,6 +69,8 @@ class FramePipeline {
                                                         const SegmentFunction& segment);
   void drop(const Frame& frame, DropCause cause);
   void report(const Frame& frame, std::string_view fate, std::string_view why);
+  // Once: a sensor whose clouds are sparse sends many of them.
+  void advise(segmentation::Doubt doubt);
   void report_gap(const FrameHeader& header, std::uint64_t missed);
 
   const PipelineSettings settings_;
@@ -76,6 +80,8 @@ class FramePipeline {
   ProblemLog problems_;
   LogLimiter gap_log_;
   LogLimiter frame_log_;
+  LogLimiter advice_log_;
+  std::atomic<bool> advised_{false};
   ResultPublisher publisher_;
   InOrderPublisher<FinishedFrame> order_;
   FrameQueue<Frame> queue_;

@@ -48,7 +48,10 @@ void ResultPublisher::count_refused(const FinishedFrame& frame) {
 
 void ResultPublisher::count_rejected(const FinishedFrame& frame) {
   ledger_.reject(key_of(frame.header), *frame.rejected);
-  if (*frame.rejected == RejectCause::segmentation_failed) return;  // the worker has said why
+  if (*frame.rejected == RejectCause::segmentation_failed ||
+      *frame.rejected == RejectCause::wrong_unit) {
+    return;  // the worker has said why
+  }
   problems_.report(
       ProblemLog::Severity::warning, rejected_,
       fmt::format("frame {} for sensor '{}' is rejected: {} ({} x {} points)",

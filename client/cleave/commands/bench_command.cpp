@@ -11,6 +11,7 @@
 #include "cleave/bench/bench_report.hpp"
 #include "cleave/bench/growth.hpp"
 #include "cleave/commands/segmentation_options.hpp"
+#include "cleave/commands/unit_option.hpp"
 #include "cleave/console/progress_bar.hpp"
 #include "cleave/console/terminal.hpp"
 #include "recording/pcd/folder.hpp"
@@ -26,6 +27,7 @@ struct BenchOptions {
   bool growth = false;
   bool collapse = false;
   bool json = false;
+  UnitArgument unit;
   SegmentationArguments segmentation;
 };
 
@@ -47,7 +49,7 @@ std::size_t measure_all(const BenchOptions& options, Measurer& measurer) {
     for (std::size_t i = 0; i < files.size(); ++i) {
       progress.show(i, files.size());
       try {
-        measurer.measure(files[i].string(), evaluation::load_cloud(files[i]));
+        measurer.measure(files[i].string(), evaluation::load_cloud(files[i], options.unit.unit()));
       } catch (const std::runtime_error& error) {
         spdlog::warn("skipped: {}", error.what());
         ++skipped;
@@ -143,6 +145,7 @@ void add_bench_command(CLI::App& app, Action& action) {
                     "the same clouds with 1/4, 1 and 4 times the points, and the exponent of cost");
   command->add_flag("--json", options->json,
                     "one JSON object: scenes, milliseconds, stages, weighted_covering, ratio, ...");
+  add_unit_option(*command, options->unit);
   add_segmentation_options(*command, options->segmentation);
   command->footer(examples);
   command->callback([options, &action] {

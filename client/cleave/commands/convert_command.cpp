@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cleave/commands/live_options.hpp"
+#include "cleave/commands/unit_option.hpp"
 #include "cleave/console/live_line.hpp"
 #include "cleave/console/terminal.hpp"
 #include "cleave/recording/extras.hpp"
@@ -22,12 +23,14 @@ namespace {
 struct ConvertOptions {
   std::string input;
   std::string output;
+  UnitArgument unit;
   LiveOptions sensor;
 };
 
 int run(const ConvertOptions& options) {
   const std::string& sensor = options.sensor.sensor;
-  const auto source = open_frame_source(options.input, sensor.empty() ? "camera" : sensor);
+  const auto source =
+      open_frame_source(options.input, sensor.empty() ? "camera" : sensor, options.unit.unit());
   const auto sink = open_frame_sink(options.output);
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));
@@ -69,6 +72,7 @@ void add_convert_command(CLI::App& app, Action& action) {
   command->add_option("OUTPUT", options->output, "recording (.mcap), or a folder for PCD files")
       ->required();
   add_sensor_option(*command, options->sensor);
+  add_unit_option(*command, options->unit);
   command->footer(
       "Examples:\n"
       "  cleave convert scenes/ scenes.mcap\n"

@@ -10,6 +10,7 @@
 #include "cleave/cloud/option_setter.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/commands/trial_run.hpp"
+#include "cleave/commands/unit_option.hpp"
 #include "cleave/trials/csv.hpp"
 #include "cleave/trials/report.hpp"
 #include "recording/pcd/folder.hpp"
@@ -27,6 +28,7 @@ struct EvaluateOptions {
   std::string groups;
   std::string csv;       // empty = none
   std::string pictures;  // empty = none
+  UnitArgument unit;
   bool json = false;
 };
 
@@ -67,7 +69,8 @@ TrialResult evaluate(const EvaluateOptions& options) {
   const TrialPlan plan{.methods = methods_of(options),
                        .grid_offsets = options.grid_offsets,
                        .jobs = options.jobs,
-                       .pictures = options.pictures};
+                       .pictures = options.pictures,
+                       .unit = options.unit.unit()};
   const auto files = recording::pcd_files(options.paths);
   TrialResult result;
   result.groups = groups_of(options, files.size());
@@ -129,6 +132,7 @@ void add_evaluate_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->capture_default_str();
   add_set_option(*command, options->settings);
+  add_unit_option(*command, options->unit);
   command
       ->add_option("--grid-offsets", options->grid_offsets,
                    "segment each scene on so many shifts of the grid over one voxel")

@@ -16,8 +16,11 @@
 #include "cleave/cloud/segment_table.hpp"
 #include "cleave/commands/segment_recording.hpp"
 #include "cleave/commands/segmentation_options.hpp"
+#include "cleave/commands/unit_option.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/pcd/writer.hpp"
+#include "recording/units/suspected_unit.hpp"
+#include "segmentation/result_check.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
@@ -33,14 +36,15 @@ struct SegmentOptions {
   std::string picture;      // empty = none
   std::uint64_t frame = 0;  // of a recording, from 1; 0 = not given
   bool json = false;
+  UnitArgument unit;
   SegmentationArguments segmentation;
 };
 
-Segmentation segment(const PcdCloud& cloud, std::vector<std::uint16_t>& labels,
+Segmentation segment(const segmentation::CloudView& cloud, std::vector<std::uint16_t>& labels,
                      const SegmentOptions& options) {
   segmentation::Segmenter segmenter(options_of(options.segmentation));
   Segmentation result;
-  const Outcome outcome = segmenter.segment(view_of(cloud), labels, result);
+  const Outcome outcome = segmenter.segment(cloud, labels, result);
   if (outcome == Outcome::no_finite_point) {
     throw std::runtime_error(options.input +
                              ": no point has finite coordinates; there is nothing to segment");
@@ -48,6 +52,14 @@ Segmentation segment(const PcdCloud& cloud, std::vector<std::uint16_t>& labels,
   if (outcome == Outcome::bad_size) {
     throw std::runtime_error(options.input + ": the segmentation takes no cloud of this size");
   }
+  if (outcome == Outcome::too_many_segments) {
+    throw std::runtime_error(options.input +
+                   ": falls into more than 65535 segments, which is all that labels can name; set "
+                   "clean_up.min_segment_points, or a larger voxel.size_m and "
+                   "supervoxel.seed_spacing_m");
+  }
+  const std::string_view advice = segmentation::advice_on(segmentation::doubt_about(result));
+  if (!advice.empty()) spdlog::warn("{}: {}", options.input, advice);
   return result;
 }
 
@@ -90,15 +102,20 @@ int run(const SegmentOptions& options) {
   if (is_recording(options.input) && is_folder(options.output)) {
     if (!options.picture.empty()) throw UsageError("--picture is of one frame: add --frame N");
     return segment_recording(
-        {options.input, options.output, options.json, options_of(options.segmentation)});
+        {options.input, options.output, options.json, options.unit.unit(),
+         options_of(options.segmentation)});
   }
   PcdCloud cloud = read(options);
   std::vector<std::uint16_t> labels(cloud.header().points());
-  const Segmentation result = segment(cloud, labels, options);
+  segmentation::CloudView view = view_of(cloud);
+  std::vector<float> xyz(cloud.xyz().begin(), cloud.xyz().end());
+  recording::make_metres(xyz, options.unit.unit(), options.input);
+  view.xyz = xyz.data();
+  const Segmentation result = segment(view, labels, options);
   cloud.set_labels(labels);
   write_pcd(options.output, cloud);
   if (!options.picture.empty()) {
-    write_png(options.picture, segment_picture(depth_image(view_of(cloud), labels)));
+    write_png(options.picture, segment_picture(depth_image(view, labels)));
   }
   print(result, cloud, options);
   return exit_done;
@@ -123,6 +140,7 @@ void add_segment_command(CLI::App& app, Action& action) {
       ->check(CLI::PositiveNumber);
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
+  add_unit_option(*command, options->unit);
   add_segmentation_options(*command, options->segmentation);
   command->footer(
       "Examples:\n"
@@ -130,9 +148,11 @@ void add_segment_command(CLI::App& app, Action& action) {
       "  cleave segment in.pcd out.pcd --picture out.png --set voxel.size_m=0.005\n"
       "  cleave segment 'bag.mcap?topic=/camera/depth/points' labelled/\n"
       "  cleave segment run.mcap third.pcd --frame 3\n"
+      "  cleave segment scan.pcd out.pcd --unit mm\n"
       "\n"
-      "OUTPUT keeps the points, their order and organisation, VIEWPOINT and every other field;\n"
-      "label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, else\n"
+      "OUTPUT keeps the points in their unit, their order and organisation, VIEWPOINT and every\n"
+      "other field; label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, "
+      "else\n"
       "binary_compressed, and appears whole or not at all.\n"
       "\n" +
       list_options());

@@ -14,6 +14,7 @@
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/pcd/writer.hpp"
+#include "recording/units/suspected_unit.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
@@ -58,10 +59,15 @@ class Run {
     const std::uint32_t height = cloud.header.height;
     PcdCloud pcd = PcdCloud::of_points(cloud.xyz, width, height);
     std::vector<std::uint16_t> labels(pcd.header().points());
+    std::vector<float> xyz = cloud.xyz;
+    recording::make_metres(xyz, recording_.unit, recording_.input);
+    segmentation::CloudView view = view_of(pcd);
+    view.xyz = xyz.data();
     Segmentation result;
-    if (segmenter_.segment(view_of(pcd), labels, result) != Outcome::segmented) {
-      spdlog::warn("frame {}: not segmented: {}", cloud.header.frame_id,
-                   "no point is finite, or the segmentation takes no cloud of its size");
+    if (segmenter_.segment(view, labels, result) != Outcome::segmented) {
+      spdlog::warn("frame {}: not segmented: no point is measured, it has more than 65535 segments, "
+                   "or the segmentation takes no cloud of its size",
+                   cloud.header.frame_id);
       ++failed_;
       return;
     }

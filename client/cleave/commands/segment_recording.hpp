@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "recording/pcd/cloud.hpp"
+#include "recording/units/unit.hpp"
 #include "segmentation/options.hpp"
 
 namespace cleave::client {
@@ -13,6 +15,7 @@ struct RecordingToSegment {
   std::string input;   // a recording, perhaps with ?topic=
   std::string output;  // a folder for all frames
   bool json = false;
+  std::optional<recording::Unit> unit;  // of its points; without one, millimetres are refused
   segmentation::Options options;
 };
 

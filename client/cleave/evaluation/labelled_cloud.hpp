@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "recording/units/unit.hpp"
 #include "segmentation/cloud_view.hpp"
 
 namespace cleave::evaluation {
@@ -21,12 +23,14 @@ struct LabelledCloud {
 };
 
 // Reads a PCD file with x, y, z and, if it has one, the field `label` (uint32). A point that is not
-// finite has no label whatever the file says. Throws PcdError that names the file and what is wrong
-// with it.
-[[nodiscard]] LabelledCloud load_cloud(const std::filesystem::path& file);
+// finite has no label whatever the file says. `unit`: of the file; without one it must not look
+// like millimetres. Throws PcdError or WrongUnit that names the file and what is wrong with it.
+[[nodiscard]] LabelledCloud load_cloud(const std::filesystem::path& file,
+                                       std::optional<recording::Unit> unit = {});
 
 // The same for a cloud that something is to be judged by: a file without labels, or without one on
 // a finite point, is refused as well. Throws std::runtime_error.
-[[nodiscard]] LabelledCloud load_labelled_cloud(const std::filesystem::path& file);
+[[nodiscard]] LabelledCloud load_labelled_cloud(const std::filesystem::path& file,
+                                                std::optional<recording::Unit> unit = {});
 
 }  // namespace cleave::evaluation

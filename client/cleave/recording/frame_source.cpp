@@ -55,15 +55,15 @@ bool is_recording(const std::string& input) {
   return is_mcap(input) || std::filesystem::path(input).extension() == ".oni";
 }
 
-std::unique_ptr<FrameSource> open_frame_source(const std::string& input,
-                                               const std::string& sensor) {
+std::unique_ptr<FrameSource> open_frame_source(const std::string& input, const std::string& sensor,
+                                               std::optional<recording::Unit> unit) {
   if (is_mcap(input)) return open_mcap(mcap_input(input), sensor);
   const std::filesystem::path path = input;
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
   }
   if (std::filesystem::is_directory(path) || path.extension() == ".pcd") {
-    return open_pcd(path, sensor);
+    return open_pcd(path, sensor, unit);
   }
   if (path.extension() == ".oni") return open_oni(path, sensor);
   throw UsageError(path.string() +

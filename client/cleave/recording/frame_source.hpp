@@ -10,6 +10,7 @@
 
 #include "recording/frames/frame.hpp"
 #include "recording/ros/file_topic.hpp"
+#include "recording/units/unit.hpp"
 
 namespace cleave::client {
 
@@ -27,10 +28,11 @@ class FrameSource {
 };
 
 // By the kind of its path: an MCAP file (bag.mcap, bag.mcap?topic=T, mcap:bag.mcap), an .oni file,
-// a PCD file or a folder of them. `sensor` names what has no name of its own. Throws UsageError for
-// any other kind, std::runtime_error for what cannot be opened.
-[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(const std::string& input,
-                                                             const std::string& sensor);
+// a PCD file or a folder of them. `sensor` names what has no name of its own, `unit` is that of PCD
+// files: without one, millimetres are refused. Throws UsageError for any other kind,
+// std::runtime_error for what cannot be opened.
+[[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(
+    const std::string& input, const std::string& sensor, std::optional<recording::Unit> unit = {});
 
 // Whether it is an MCAP or .oni file, by its name.
 [[nodiscard]] bool is_recording(const std::string& input);
@@ -41,7 +43,8 @@ class FrameSource {
 [[nodiscard]] std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from,
                                                      const std::string& sensor);
 [[nodiscard]] std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
-                                                    const std::string& sensor);
+                                                    const std::string& sensor,
+                                                    std::optional<recording::Unit> unit);
 [[nodiscard]] std::unique_ptr<FrameSource> open_oni(const std::filesystem::path& path,
                                                     const std::string& sensor);
 

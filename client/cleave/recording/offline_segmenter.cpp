@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "cleave/recording/contract_frames.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
@@ -14,6 +15,8 @@ std::uint32_t wire_outcome(segmentation::Outcome outcome) {
       return cleave_v1_OUTCOME_SEGMENTED;
     case segmentation::Outcome::bad_size:
       return cleave_v1_OUTCOME_REJECTED_BAD_SIZE;
+    case segmentation::Outcome::too_many_segments:
+      return cleave_v1_OUTCOME_REJECTED_TOO_MANY_SEGMENTS;
     case segmentation::Outcome::no_finite_point:
       break;
   }
@@ -31,7 +34,10 @@ SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::
   segmentation::Segmentation segmentation;
   const segmentation::CloudView view{
       .xyz = cloud.xyz.data(), .stride = 3, .width = header.width, .height = header.height};
-  result.list.outcome = wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
+  result.list.outcome =
+      recording::suspected_unit(cloud.xyz)
+          ? cleave_v1_OUTCOME_REJECTED_WRONG_UNIT
+          : wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
   set_segments(result.list, segmentation);
   return result;
 }

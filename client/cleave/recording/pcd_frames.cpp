@@ -9,6 +9,7 @@
 #include "recording/pcd/error.hpp"
 #include "recording/pcd/folder.hpp"
 #include "recording/pcd/stream_cloud.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
@@ -19,8 +20,9 @@ constexpr std::int64_t period_ns = 33'333'333;
 
 class PcdFrames : public FrameSource {
  public:
-  PcdFrames(const std::filesystem::path& path, std::string sensor)
-      : files_(recording::pcd_files(path)), sensor_(std::move(sensor)) {}
+  PcdFrames(const std::filesystem::path& path, std::string sensor,
+            std::optional<recording::Unit> unit)
+      : files_(recording::pcd_files(path)), sensor_(std::move(sensor)), unit_(unit) {}
 
   std::optional<recording::Frame> next() override {
     while (next_ < files_.size()) {
@@ -38,7 +40,7 @@ class PcdFrames : public FrameSource {
 
  private:
   recording::Frame read(const std::filesystem::path& file) {
-    recording::StreamCloud pcd = recording::read_stream_cloud(file, capacity_points);
+    recording::StreamCloud pcd = recording::read_stream_cloud(file, capacity_points, unit_);
     note_origin(file, pcd);
     recording::Cloud cloud;
     cloud.xyz = std::move(pcd.xyz);
@@ -69,6 +71,7 @@ class PcdFrames : public FrameSource {
 
   std::vector<std::filesystem::path> files_;
   std::string sensor_;
+  std::optional<recording::Unit> unit_;
   std::size_t next_ = 0;
   std::uint64_t frames_ = 0;
   std::size_t skipped_ = 0;
@@ -77,9 +80,9 @@ class PcdFrames : public FrameSource {
 
 }  // namespace
 
-std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
-                                      const std::string& sensor) {
-  return std::make_unique<PcdFrames>(path, sensor);
+std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path, const std::string& sensor,
+                                      std::optional<recording::Unit> unit) {
+  return std::make_unique<PcdFrames>(path, sensor, unit);
 }
 
 }  // namespace cleave::client

@@ -76,8 +76,9 @@ Segmentation segmentation_of(const SegmentList& list) {
 }
 
 const char* outcome_of(const SegmentList& list) {
-  static constexpr std::array names = {"segmented", "bad size", "bad header", "no finite point",
-                                       "segmentation failed"};
+  static constexpr std::array names = {
+      "segmented",           "bad size",          "bad header", "no finite point",
+      "segmentation failed", "too many segments", "wrong unit"};
   const auto i = static_cast<std::size_t>(list.outcome);
   return i < names.size() ? names.at(i) : "unknown";
 }

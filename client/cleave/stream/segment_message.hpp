@@ -11,7 +11,7 @@ namespace cleave::client {
 
 [[nodiscard]] segmentation::Segmentation segmentation_of(const SegmentList& list);
 
-// "segmented", or why the frame was rejected: "bad size", "bad header", "no finite point".
+// "segmented", or why the frame was rejected: "bad size", "bad header", "no finite point", ....
 [[nodiscard]] const char* outcome_of(const SegmentList& list);
 
 // What `cleave echo` prints: a line of the header, a line of the outcome, a table of the segments.

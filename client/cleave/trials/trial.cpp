@@ -80,7 +80,7 @@ class Trial {
     Scene& scene = scenes_[index];
     LabelledCloud cloud;
     try {
-      cloud = evaluation::load_labelled_cloud(scene.file);
+      cloud = evaluation::load_labelled_cloud(scene.file, plan_.unit);
     } catch (const std::runtime_error& error) {
       scene.problem = error.what();
       add_done(runners.size());

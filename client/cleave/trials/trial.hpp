@@ -4,20 +4,23 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cleave/evaluation/boundary.hpp"
 #include "cleave/evaluation/quality.hpp"
 #include "cleave/trials/methods.hpp"
+#include "recording/units/unit.hpp"
 
 namespace cleave::client {
 
 struct TrialPlan {
   std::vector<Method> methods;
-  std::uint32_t grid_offsets = 1;    // shifts of the grid, evenly over one voxel
-  std::uint32_t jobs = 1;            // scenes at a time
-  std::filesystem::path pictures{};  // folder for a sheet a scene; empty = none
+  std::uint32_t grid_offsets = 1;            // shifts of the grid, evenly over one voxel
+  std::uint32_t jobs = 1;                    // scenes at a time
+  std::filesystem::path pictures{};          // folder for a sheet a scene; empty = none
+  std::optional<recording::Unit> unit = {};  // of the files; see load_cloud()
 };
 
 // One segmentation of one scene.

@@ -6,10 +6,12 @@
 
 #include "recording/cloud/fit_intrinsics.hpp"
 #include "recording/pcd/cloud.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::recording {
 
-StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t most_points) {
+StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t most_points,
+                              std::optional<Unit> unit) {
   const PcdCloud pcd = PcdCloud::read(file, most_points);
   StreamCloud cloud{.width = pcd.header().width,
                     .height = pcd.header().height,
@@ -20,6 +22,10 @@ StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t m
     float* const p = &cloud.xyz[i];
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
     std::fill_n(p, 3, std::numeric_limits<float>::quiet_NaN());
+  }
+  make_metres(cloud.xyz, unit, file.string());
+  for (double& coordinate : cloud.origin) {
+    coordinate /= units_a_metre(unit.value_or(Unit::metre));
   }
   cloud.intrinsics = fit_intrinsics(cloud.xyz.data(), cloud.width, cloud.height);
   return cloud;

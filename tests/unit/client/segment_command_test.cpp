@@ -65,6 +65,67 @@ TEST(SegmentCommand, RefusesACloudWithoutAFinitePointAndWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out.pcd"));
 }
 
+// A camera's view of a slope, `scale` units a metre.
+std::string slope(double scale) {
+  std::string text =
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 40\nHEIGHT 30\nPOINTS 1200\n"
+      "DATA ascii\n";
+  for (int i = 0; i < 1200; ++i) {
+    const double z = scale * (0.7 + 0.001 * (i / 40));
+    text += std::to_string(z * (i % 40 - 20) / 500) + " " +
+            std::to_string(z * (i / 40 - 15) / 500) + " " + std::to_string(z) + "\n";
+  }
+  return text;
+}
+
+TEST(SegmentCommand, RefusesMillimetresAndNamesTheOptionThatScalesThem) {
+  const TemporaryFolder folder;
+  const auto input = folder.file("in.pcd", slope(1000));
+  const auto output = folder.path() / "out.pcd";
+
+  try {
+    (void)run_segment({input, output});
+    FAIL() << "segmented";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("--unit mm"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST(SegmentCommand, ScalesByTheUnitAndWritesTheFilesOwnCoordinates) {
+  const TemporaryFolder folder;
+  const auto input = folder.file("in.pcd", slope(1000));
+  const auto output = folder.path() / "out.pcd";
+
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_segment({input, output, "--unit", "mm", "--json"}), exit_done);
+  const Json json = Json::parse(testing::internal::GetCapturedStdout());
+
+  ASSERT_EQ(json["segments"].size(), 1U);
+  EXPECT_NEAR(json["segments"][0]["centroid"][2], 0.7145, 1e-3);
+  const PcdCloud before = PcdCloud::read(input);
+  const PcdCloud after = PcdCloud::read(output);
+  EXPECT_TRUE(std::equal(before.view().xyz, before.view().xyz + 3600, after.view().xyz));
+}
+
+TEST(SegmentCommand, RefusesMoreSegmentsThanLabelsCanName) {
+  const TemporaryFolder folder;
+  std::string points;
+  for (int i = 0; i < 65536; ++i) {
+    points += std::to_string(i % 256) + " " + std::to_string(i / 256) + " -1\n";
+  }
+  const auto input =
+      folder.file("in.pcd",
+                  "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 65536\nHEIGHT 1\n"
+                  "POINTS 65536\nDATA ascii\n" +
+                      points);
+
+  EXPECT_THROW(
+      (void)run_segment({input, folder.path() / "out.pcd", "--set", "voxel.follow_spacing=false",
+                         "--set", "clean_up.min_segment_points=0"}),
+      PcdError);
+}
+
 TEST(SegmentCommand, RefusesAnOptionThatDoesNotExistAsWrongUsage) {
   const TemporaryFolder folder;
   const auto input = folder.file("in.pcd", plane());

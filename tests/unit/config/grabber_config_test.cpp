@@ -17,6 +17,7 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
   EXPECT_EQ(shipped.sensor, defaults.sensor);
   EXPECT_EQ(shipped.coordinate_frame, defaults.coordinate_frame);
   EXPECT_EQ(shipped.source, defaults.source);
+  EXPECT_EQ(shipped.unit, defaults.unit);
   EXPECT_EQ(shipped.fps, defaults.fps);
   EXPECT_EQ(shipped.max_gap_s, defaults.max_gap_s);
   EXPECT_EQ(shipped.loop, defaults.loop);

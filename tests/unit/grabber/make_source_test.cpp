@@ -9,7 +9,7 @@ namespace {
 
 std::string refusal(const std::string& uri) {
   try {
-    (void)make_source(uri, {}, false);
+    (void)make_source(uri, {}, {});
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -17,10 +17,10 @@ std::string refusal(const std::string& uri) {
 }
 
 TEST(MakeSource, KnowsCamerasAndFiles) {
-  EXPECT_TRUE(make_source("openni2:", {}, false)->realtime());
-  EXPECT_TRUE(make_source("synthetic:medium", {}, false)->realtime());
-  EXPECT_FALSE(make_source("pcd:scenes", {}, false)->realtime());
-  EXPECT_FALSE(make_source("oni:table.oni", {}, false)->realtime());
+  EXPECT_TRUE(make_source("openni2:", {}, {})->realtime());
+  EXPECT_TRUE(make_source("synthetic:medium", {}, {})->realtime());
+  EXPECT_FALSE(make_source("pcd:scenes", {}, {})->realtime());
+  EXPECT_FALSE(make_source("oni:table.oni", {}, {})->realtime());
 }
 
 TEST(MakeSource, ListsTheSourcesForAnUnknownOne) {

@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 
 // OpenNI2 is initialised once a process, so the tests share it; each opens a camera of its own.
 std::unique_ptr<Source> camera(const std::string& scene, std::uint32_t fps = 60) {
-  return make_source("synthetic:" + scene, {640, 480, fps, false, false}, false);
+  return make_source("synthetic:" + scene, {640, 480, fps, false, false}, {});
 }
 
 // The next frame; the test's time-out is the only limit.
@@ -77,7 +77,7 @@ TEST(OpenNi2Source, TakesTheRateFromTheUriWhereItNamesOne) {
 }
 
 TEST(OpenNi2Source, NamesTheModesThatThereAre) {
-  const auto source = make_source("synthetic:simple", {320, 240, 30, false, false}, false);
+  const auto source = make_source("synthetic:simple", {320, 240, 30, false, false}, {});
   const Failure failure = source->open();
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->find("no depth mode 320x240@30, only 640x480@30"), std::string::npos)
@@ -85,7 +85,7 @@ TEST(OpenNi2Source, NamesTheModesThatThereAre) {
 }
 
 TEST(OpenNi2Source, SaysWhatToDoWhereNoCameraIs) {
-  const auto source = make_source("openni2:1d27/0609@99/99", {}, false);
+  const auto source = make_source("openni2:1d27/0609@99/99", {}, {});
   const Failure failure = source->open();
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->find("lsusb"), std::string::npos) << *failure;
@@ -192,7 +192,7 @@ TEST(OpenNi2Source, TurnsMirroringOffUnlessItIsAskedFor) {
   EXPECT_EQ(std::memcmp(unmirrored.data(), expected.data(), 4 * expected.size()), 0);
 
   const auto wanted =
-      make_source("synthetic:simple?noise=0&seed=1", {640, 480, 60, false, true}, false);
+      make_source("synthetic:simple?noise=0&seed=1", {640, 480, 60, false, true}, {});
   ASSERT_FALSE(wanted->open());
   const std::vector<float> mirrored = points(*wanted, next_frame(*wanted));
   for (std::size_t row = 0; row < 480; ++row) {
@@ -206,15 +206,15 @@ TEST(OpenNi2Source, TurnsMirroringOffUnlessItIsAskedFor) {
 
 TEST(OpenNi2Source, RefusesRegistrationWhereTheCameraHasNone) {
   const VideoMode registered{640, 480, 30, true, false};
-  EXPECT_FALSE(make_source("synthetic:simple?registration=1", registered, false)->open());
-  const Failure failure = make_source("synthetic:simple", registered, false)->open();
+  EXPECT_FALSE(make_source("synthetic:simple?registration=1", registered, {})->open());
+  const Failure failure = make_source("synthetic:simple", registered, {})->open();
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->find("video.registration"), std::string::npos) << *failure;
 }
 
 TEST(OpenNi2Source, FindsACameraByItsSerialNumber) {
   const auto by_serial = [](const std::string& serial) {
-    return make_source("openni2:serial=" + serial, {640, 480, 30, false, false}, false);
+    return make_source("openni2:serial=" + serial, {640, 480, 30, false, false}, {});
   };
   const auto source = by_serial("medium?seed=7");
   const Failure failure = source->open();

@@ -48,6 +48,39 @@ TEST(PcdSource, PlaysASingleFile) {
   EXPECT_EQ(play(source), (std::vector<float>{5}));
 }
 
+// A camera's view, `scale` units a metre.
+std::string image(float scale) {
+  std::vector<float> xyz;
+  for (int i = 0; i < 40 * 30; ++i) {
+    const auto u = static_cast<float>(i % 40), v = static_cast<float>(i / 40);
+    const float z = scale * (0.7F + 0.01F * v);
+    xyz.insert(xyz.end(), {z * (u - 20) / 60, z * (v - 15) / 60, z});
+  }
+  return binary_file(xyz, 40, 30);
+}
+
+TEST(PcdSource, RefusesFilesThatAreSeenToBeInMillimetres) {
+  const TestFolder folder;
+  folder.write("mm.pcd", image(1000));
+  PcdSource source(folder.path(), false);
+
+  const Failure failure = source.open();
+
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->find("1 wrong unit"), std::string::npos) << *failure;
+}
+
+TEST(PcdSource, ScalesFilesByTheUnitThatIsGiven) {
+  const TestFolder folder;
+  PcdSource millimetres(folder.write("mm.pcd", image(1000)), false, recording::Unit::millimetre);
+  PcdSource metres(folder.write("m.pcd", image(1000)), false, recording::Unit::metre);
+  ASSERT_FALSE(millimetres.open());
+  ASSERT_FALSE(metres.open());
+
+  EXPECT_NEAR(play(millimetres).at(0), 0.7F * -20 / 60, 1e-6);
+  EXPECT_NEAR(play(metres).at(0), 700.0F * -20 / 60, 1e-3);
+}
+
 TEST(PcdSource, SkipsAndCountsBadFilesAmongGoodOnes) {
   const TestFolder folder;
   folder.write("1.pcd", cloud_at(1));

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
+#include "segmentation/dust/dust_settler.hpp"
+
 namespace cleave::segmentation {
 namespace {
 
@@ -12,8 +16,10 @@ Labels order(const std::vector<std::uint32_t>& segment_of_point, std::size_t seg
   for (std::uint32_t i = 0; i < segment_of_point.size(); ++i) {
     runs.push_back({.segment = segment_of_point[i], .begin = i, .end = i + 1});
   }
+  std::vector<std::uint32_t> itself(segments);
+  std::iota(itself.begin(), itself.end(), 0U);
   Labels labels;
-  LabelOrder().order(runs, segments, labels);
+  EXPECT_TRUE(LabelOrder().order(runs, itself, labels));
   return labels;
 }
 
@@ -29,15 +35,33 @@ TEST(LabelOrder, GivesASegmentWithoutPointsNoLabel) {
   EXPECT_EQ(order({3, 3}, 4), (Labels{0, 0, 0, 1}));
 }
 
-TEST(LabelOrder, LetsTheSmallestSegmentsShareTheLastLabel) {
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t i = 0; i < max_labels + 5; ++i) points.push_back(i);
+TEST(LabelOrder, CountsWhatHasJoinedAndGivesNoLabelToWhatIsDropped) {
+  const std::vector<PointRun> runs = {{.segment = 0, .begin = 0, .end = 3},
+                                      {.segment = 1, .begin = 3, .end = 5},
+                                      {.segment = 2, .begin = 5, .end = 7},
+                                      {.segment = 3, .begin = 7, .end = 8}};
+  Labels labels;
 
-  const Labels labels = order(points, points.size());
+  ASSERT_TRUE(LabelOrder().order(runs, {0, 2, 2, DustSettler::dropped}, labels));
 
-  EXPECT_EQ(labels.front(), 1);
+  EXPECT_EQ(labels, (Labels{2, 1, 1, 0}));
+}
+
+TEST(LabelOrder, RefusesMoreSegmentsThanLabelsCanName) {
+  std::vector<PointRun> runs;
+  std::vector<std::uint32_t> itself;
+  for (std::uint32_t i = 0; i < max_labels; ++i) {
+    runs.push_back({.segment = i, .begin = i, .end = i + 1});
+    itself.push_back(i);
+  }
+  itself.push_back(max_labels);  // without a point
+  Labels labels;
+
+  EXPECT_TRUE(LabelOrder().order(runs, itself, labels));
   EXPECT_EQ(labels[max_labels - 1], max_labels);
-  EXPECT_EQ(labels.back(), max_labels);
+  runs.push_back({.segment = max_labels, .begin = max_labels, .end = max_labels + 1});
+  EXPECT_FALSE(LabelOrder().order(runs, itself, labels));
+  EXPECT_EQ(labels, Labels(itself.size(), 0));
 }
 
 }  // namespace

@@ -5,10 +5,33 @@
 
 #include "depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
+#include "table_cloud.hpp"
+
+namespace {
+
+using namespace cleave::segmentation;
+
+// Prints the hash of all labels of `clouds`; false if one cannot be segmented.
+template <class Clouds>
+bool print_hash(const Options& options, const Clouds& clouds) {
+  constexpr std::uint64_t prime = 1099511628211;
+  Segmenter segmenter(options);
+  std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+  for (const auto& cloud : clouds) {
+    std::vector<std::uint16_t> labels(cloud.view().size());
+    Segmentation result;
+    if (segmenter.segment(cloud.view(), labels, result) != Outcome::segmented) return false;
+    for (const std::uint16_t label : labels) hash = (hash ^ label) * prime;
+  }
+  std::printf("%016llx\n", static_cast<unsigned long long>(hash));
+  return true;
+}
+
+}  // namespace
 
 int main() {
-  using namespace cleave::segmentation;
-  constexpr std::uint64_t prime = 1099511628211;
+  std::vector<DepthScene> scenes;
+  for (unsigned seed = 0; seed < 12; ++seed) scenes.emplace_back(seed);
   const auto with = [](Representation representation, Algorithm algorithm) {
     Options options;
     options.representation = representation;
@@ -25,15 +48,9 @@ int main() {
         with(Representation::cells, Algorithm::constrained_ssc),
         with(Representation::cells, Algorithm::convex_components),
         with(Representation::voxels, Algorithm::svc), others}) {
-    Segmenter segmenter(options);
-    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
-    for (unsigned seed = 0; seed < 12; ++seed) {
-      const DepthScene scene(seed);
-      std::vector<std::uint16_t> labels(scene.view().size());
-      Segmentation result;
-      if (segmenter.segment(scene.view(), labels, result) != Outcome::segmented) return 1;
-      for (const std::uint16_t label : labels) hash = (hash ^ label) * prime;
-    }
-    std::printf("%016llx\n", static_cast<unsigned long long>(hash));
+    if (!print_hash(options, scenes)) return 1;
   }
+  std::vector<TableCloud> tables;
+  for (const float spacing : {0.008F, 0.01F, 0.02F, 0.5F}) tables.emplace_back(spacing);
+  return print_hash({}, tables) ? 0 : 1;
 }

@@ -50,7 +50,7 @@ TEST(Options, AreVisitedByUniqueNames) {
 
   visit_options(options, setter);
 
-  EXPECT_EQ(setter.names.size(), 39U);
+  EXPECT_EQ(setter.names.size(), 40U);
   EXPECT_TRUE(setter.names.contains("voxel.size_m"));
 }
 

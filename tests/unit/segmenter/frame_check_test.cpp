@@ -106,7 +106,10 @@ TEST(FrameCheck, TellsEveryOutcomeApartOnTheWire) {
             cleave_v1_OUTCOME_REJECTED_BAD_SIZE);
   EXPECT_EQ(wire_outcome(reject_cause(segmentation::Outcome::no_finite_point)),
             cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT);
+  EXPECT_EQ(wire_outcome(reject_cause(segmentation::Outcome::too_many_segments)),
+            cleave_v1_OUTCOME_REJECTED_TOO_MANY_SEGMENTS);
   EXPECT_EQ(wire_outcome(RejectCause::bad_header), cleave_v1_OUTCOME_REJECTED_BAD_HEADER);
+  EXPECT_EQ(wire_outcome(RejectCause::wrong_unit), cleave_v1_OUTCOME_REJECTED_WRONG_UNIT);
 }
 
 }  // namespace

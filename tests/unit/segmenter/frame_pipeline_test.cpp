@@ -113,6 +113,46 @@ TEST(FramePipeline, RejectsACloudWithoutAFinitePointAndPublishesNoLabelsForIt) {
   EXPECT_EQ(pipeline.counts().rejected_total(), 1U);
 }
 
+TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
+  FakeSink sink;
+  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, random_workers(1));
+  const auto millimetres = cloud(2);
+  millimetres->header.width = 40;
+  millimetres->header.height = 30;
+  for (std::size_t i = 0; i < 40 * 30; ++i) {
+    const auto u = static_cast<float>(i % 40), v = static_cast<float>(i / 40);
+    const float z = 700 + 10 * v;
+    const float point[] = {z * (u - 20) / 60, z * (v - 15) / 60, z};
+    std::copy_n(point, 3, millimetres->xyz + 3 * i);
+  }
+
+  for (const auto& frame : {cloud(1), millimetres}) pipeline.accept(frame, false);
+  pipeline.drain();
+
+  ASSERT_EQ(sink.lists.size(), 2U);
+  EXPECT_EQ(sink.lists[0].outcome, cleave_v1_OUTCOME_SEGMENTED);
+  EXPECT_EQ(sink.lists[1].outcome, cleave_v1_OUTCOME_REJECTED_WRONG_UNIT);
+  EXPECT_NE(pipeline.last_problem().find("millimetres"), std::string::npos);
+  EXPECT_EQ(sink.label_ids, (std::vector<std::uint64_t>{1}));
+}
+
+TEST(FramePipeline, SaysOnceThatMostPointsHaveNoSegment) {
+  FakeSink sink;
+  const SegmentFunction finds_little = [](const CloudView&, std::span<std::uint16_t> labels,
+                                          Segmentation& result) {
+    std::fill(labels.begin(), labels.end(), std::uint16_t{0});
+    result.measured_points = static_cast<std::uint32_t>(labels.size());
+    return Outcome::segmented;
+  };
+  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {finds_little});
+
+  for (std::uint64_t id = 1; id <= 3; ++id) pipeline.accept(cloud(id), false);
+  pipeline.drain();
+
+  EXPECT_EQ(pipeline.counts().published, 3U);
+  EXPECT_NE(pipeline.last_problem().find("voxel.size_m"), std::string::npos);
+}
+
 TEST(FramePipeline, AnswersAFrameOnWhichTheSegmenterThrows) {
   FakeSink sink;
   const SegmentFunction throws_on_two = [](const CloudView& view, std::span<std::uint16_t> labels,

@@ -1,0 +1,28 @@
+// --unit, of commands that read files of points.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recording/units/unit.hpp"
+
+namespace cleave::client {
+
+struct UnitArgument {
+  std::string name;  // empty = metres, and millimetres are refused
+
+  [[nodiscard]] std::optional<recording::Unit> unit() const { return recording::unit_named(name); }
+};
+
+inline void add_unit_option(CLI::App& command, UnitArgument& argument) {
+  const std::vector<std::string> names(recording::unit_names.begin(), recording::unit_names.end());
+  command
+      .add_option("--unit", argument.name,
+                  "unit of PCD files' coordinates, which are scaled to metres; without it they\n"
+                  "are metres, and a file that is seen to be in millimetres is refused")
+      ->check(CLI::IsMember(names));
+}
+
+}  // namespace cleave::client

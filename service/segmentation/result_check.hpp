@@ -1,0 +1,21 @@
+// Whether a result is one that anybody can have wanted.
+#pragma once
+
+#include <string_view>
+
+#include "segmentation/segmentation.hpp"
+
+namespace cleave::segmentation {
+
+enum class Doubt {
+  none,
+  mostly_unlabelled,    // most measured points have no segment
+  mostly_single_points  // most segments are one point
+};
+
+[[nodiscard]] Doubt doubt_about(const Segmentation& result);
+
+// What was found, and which options to set; empty for none.
+[[nodiscard]] std::string_view advice_on(Doubt doubt);
+
+}  // namespace cleave::segmentation
