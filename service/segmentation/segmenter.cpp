@@ -12,6 +12,7 @@
 #include "segmentation/segment_borders.hpp"
 #include "segmentation/segment_shapes.hpp"
 #include "segmentation/supervoxel_graph.hpp"
+#include "segmentation/view/seen_cloud.hpp"
 #include "segmentation/voxel_path.hpp"
 
 namespace cleave::segmentation {
@@ -19,6 +20,7 @@ namespace cleave::segmentation {
 // The steps, and what they hand on. A step overwrites all of its output: nothing of a frame is left
 // for the next but memory.
 struct Segmenter::Workspace {
+  SeenCloud seen;
   VoxelPath voxel_path;
   CellPath cell_path;
   GraphPartitioner partitioner;
@@ -43,23 +45,26 @@ struct Segmenter::Workspace {
   void cluster_supervoxels(const Options& options);
   void build_graph(const Options& options);
   void clean_up(const Options& options);
-  void label_points(const CloudView& cloud, const RefineOptions& options,
-                    std::span<std::uint16_t> labels);
-  void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
+  void label_points(const RefineOptions& options, std::span<std::uint16_t> labels);
+  void describe(const DescribeOptions& options, Segmentation& result);
   [[nodiscard]] SegmentedPoints points() const {
     return on_cells ? cell_path.points() : voxel_path.points();
   }
 };
 
 bool Segmenter::Workspace::gather(const CloudView& cloud, const Options& options) {
-  on_cells =
-      options.algorithm != Algorithm::svc && options.representation == Representation::cells &&
-      options.voxel.viewpoint != Viewpoint::multiple && cell_path.gather(cloud, options.voxel);
+  const bool wants_cells =
+      options.algorithm != Algorithm::svc && options.representation == Representation::cells;
+  const bool is_image = options.voxel.viewpoint != Viewpoint::multiple && seen.look_at_image(cloud);
+  on_cells = wants_cells && is_image && cell_path.gather(seen.cloud(), options.voxel);
+  if (on_cells) return true;
+  if (!is_image || wants_cells) seen.look_at_points(cloud, options.voxel.viewpoint);
   VoxelOptions voxel = options.voxel;
+  voxel.viewpoint = seen.from_one_viewpoint() ? Viewpoint::single : Viewpoint::multiple;
   if (options.algorithm == Algorithm::svc && voxel.neighbourhood == Neighbourhood::automatic) {
     voxel.neighbourhood = Neighbourhood::edges;
   }
-  return on_cells || voxel_path.gather(cloud, voxel);
+  return voxel_path.gather(seen.cloud(), voxel);
 }
 
 void Segmenter::Workspace::estimate_normals() {
@@ -102,20 +107,20 @@ void Segmenter::Workspace::clean_up(const Options& options) {
   merger.merge(edges, supervoxels.point_count, segments, clean_up, segment_of_supervoxel);
 }
 
-void Segmenter::Workspace::label_points(const CloudView& cloud, const RefineOptions& options,
+void Segmenter::Workspace::label_points(const RefineOptions& options,
                                         std::span<std::uint16_t> labels) {
   on_cells ? cell_path.label_points(supervoxels, segment_of_supervoxel, options)
-           : voxel_path.label_points(cloud, supervoxels, segment_of_supervoxel, options);
+           : voxel_path.label_points(seen.cloud(), supervoxels, segment_of_supervoxel, options);
   label_order.order(*points().runs, segments, label_of_segment);
-  on_cells ? cell_path.write_labels(label_of_segment, labels)
-           : voxel_path.write_labels(label_of_segment, labels);
+  const std::span<std::uint16_t> seen_labels = seen.labels(labels);
+  on_cells ? cell_path.write_labels(label_of_segment, seen_labels)
+           : voxel_path.write_labels(label_of_segment, seen_labels);
 }
 
-void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOptions& options,
-                                    Segmentation& result) {
+void Segmenter::Workspace::describe(const DescribeOptions& options, Segmentation& result) {
   on_cells ? cell_path.list_surface(segment_of_supervoxel, surface)
            : voxel_path.list_surface(surface);
-  shape_describer.describe(points(), surface, cloud.organised(), label_of_segment, options,
+  shape_describer.describe(points(), surface, seen.cloud().organised(), label_of_segment, options,
                            result.segments);
   border_describer.describe(edges, segment_of_supervoxel, label_of_segment, result.borders);
 }
@@ -167,10 +172,11 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   w.clean_up(options_);
   ended(Stage::clean_up);
 
-  w.label_points(cloud, options_.refine, labels);
+  w.label_points(options_.refine, labels);
   ended(Stage::label_points);
 
-  w.describe(cloud, options_.describe, result);
+  w.describe(options_.describe, result);
+  w.seen.give_back(labels, result);
   ended(Stage::describe);
   return Outcome::segmented;
 }

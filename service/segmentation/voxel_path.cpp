@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "segmentation/view/measured.hpp"
 #include "segmentation/voxel_neighbours.hpp"
 
 namespace cleave::segmentation {
 
 bool VoxelPath::gather(const CloudView& cloud, const VoxelOptions& options) {
-  gather_finite_points(cloud, points_);
+  gather_measured_points(cloud, points_);
+  if (options.viewpoint != Viewpoint::multiple && points_.behind <= max_strays(points_.size())) {
+    drop_points_behind(points_);
+  }
   if (points_.size() == 0) return false;
   voxeliser_.voxelise(points_, options, grid_);
   find_voxel_neighbours(grid_, options.neighbourhood, neighbours_);
