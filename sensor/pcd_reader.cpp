@@ -51,7 +51,8 @@ std::vector<float> points_of(const pcl::PCLPointCloud2& cloud) {
     p[0] = x.read(point);
     p[1] = y.read(point);
     p[2] = z.read(point);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+    const bool finite = std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    if (!finite || (p[0] == 0 && p[1] == 0 && p[2] == 0)) {
       p[0] = p[1] = p[2] = nan;
     }
   }

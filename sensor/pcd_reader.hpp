@@ -18,7 +18,8 @@ struct PointCloud {
 };
 
 // The coordinates are the file's, bit for bit (doubles are rounded to float); a point with a
-// coordinate that is not finite becomes NaN NaN NaN. Other fields are passed over.
+// coordinate that is not finite becomes NaN NaN NaN, and so does 0 0 0. Other fields are passed
+// over.
 [[nodiscard]] std::variant<PointCloud, PcdProblem> read_pcd(const std::filesystem::path& file);
 
 }  // namespace cleave::sensor

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "cleave/cloud/pcl_reader.hpp"
+#include "cleave/cloud/viewpoint.hpp"
 
 namespace cleave::client {
 namespace {
@@ -84,7 +85,10 @@ PcdCloud PcdCloud::of_points(std::span<const float> xyz, std::uint32_t width,
 }
 
 segmentation::CloudView PcdCloud::view() const {
-  return {.xyz = xyz_.data(), .stride = 3, .width = header_.width, .height = header_.height};
+  segmentation::CloudView view{
+      .xyz = xyz_.data(), .stride = 3, .width = header_.width, .height = header_.height};
+  view.pose = pose_of_header(header_.viewpoint);
+  return view;
 }
 
 std::vector<std::uint32_t> PcdCloud::labels() const {

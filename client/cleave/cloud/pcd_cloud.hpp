@@ -23,7 +23,8 @@ class PcdCloud {
                                           std::uint32_t height);
 
   [[nodiscard]] const PcdHeader& header() const { return header_; }
-  // x, y, z of every point in metres, in the file's order; lives as long as this.
+  // x, y, z of every point in metres, in the file's order, and the header's VIEWPOINT; lives as
+  // long as this.
   [[nodiscard]] segmentation::CloudView view() const;
 
   // The bytes of all points one after the other, fields in the header's order, padding left out.

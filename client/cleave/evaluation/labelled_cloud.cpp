@@ -1,11 +1,11 @@
 #include "cleave/evaluation/labelled_cloud.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "cleave/cloud/pcd_cloud.hpp"
+#include "segmentation/view/measured.hpp"
 
 namespace cleave::evaluation {
 
@@ -15,10 +15,11 @@ LabelledCloud load_cloud(const std::filesystem::path& file) {
   LabelledCloud cloud{.width = view.width,
                       .height = view.height,
                       .xyz = {view.xyz, view.xyz + view.size() * view.stride},
-                      .label = pcd.labels()};
+                      .label = pcd.labels(),
+                      .origin_m = view.origin_m,
+                      .pose = view.pose};
   for (std::size_t i = 0; i < cloud.label.size(); ++i) {
-    const float* p = view.point(i);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) cloud.label[i] = 0;
+    if (!segmentation::is_measured(view.point(i))) cloud.label[i] = 0;
   }
   return cloud;
 }
@@ -31,7 +32,7 @@ LabelledCloud load_labelled_cloud(const std::filesystem::path& file) {
   }
   if (std::ranges::all_of(cloud.label, [](std::uint32_t label) { return label == 0; })) {
     throw std::runtime_error(file.string() +
-                             ": no finite point has a label other than 0, so nothing can be "
+                             ": no measured point has a label other than 0, so nothing can be "
                              "judged by it");
   }
   return cloud;

@@ -2,7 +2,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "cleave/recording/frame_source.hpp"
 #include "libcleave/types.hpp"
 #include "recording/cloud/fit_intrinsics.hpp"
+#include "segmentation/view/measured.hpp"
 
 namespace cleave::client {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::int64_t period_ns = 33'333'333;
 std::vector<float> stream_points(const segmentation::CloudView& view) {
   std::vector<float> xyz(view.xyz, view.xyz + 3 * view.size());
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
-    if (std::isfinite(xyz[i]) && std::isfinite(xyz[i + 1]) && std::isfinite(xyz[i + 2])) continue;
+    if (segmentation::is_measured(&xyz[i])) continue;
     std::fill_n(&xyz[i], 3, std::numeric_limits<float>::quiet_NaN());
   }
   return xyz;
