@@ -4,36 +4,14 @@
 #include <cmath>
 
 #include "segmentation/multiversion.hpp"
+#include "segmentation/view/measured.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
 constexpr float front_layer = 1.015F;  // times the nearest depth in the cell
-// A point that is far off where its pixel looks stands alone and does no harm; of so many cells,
-// one may hold such points.
-constexpr std::uint32_t cells_a_stray = 1000;
-
-bool is_measured(const float* p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
-// Mean step of x/z from one pixel to the next, over every eighth row; 0 if no two pixels side by
-// side are measured.
-float pixel_pitch(const CloudView& cloud) {
-  constexpr std::uint32_t row_step = 8;
-  double sum = 0;
-  std::uint32_t steps = 0;
-  for (std::uint32_t row = 0; row < cloud.height; row += row_step) {
-    for (std::uint32_t column = 0; column + 1 < cloud.width; column += 2) {
-      const float* p = cloud.point(std::size_t{row} * cloud.width + column);
-      const float* q = p + cloud.stride;
-      if (!is_measured(p) || !is_measured(q)) continue;
-      sum += q[0] / q[2] - p[0] / p[2];
-      ++steps;
-    }
-  }
-  return steps == 0 ? 0 : static_cast<float>(sum / steps);
-}
+// No more, so that the middle of a cell that reaches out of the image is still in its border.
+constexpr std::uint32_t max_edge_px = 2 * ImageLayout::border;
 
 CLEAVE_MULTIVERSION
 void take_nearest(const float* __restrict z, std::size_t count, float* __restrict nearest) {
@@ -175,14 +153,15 @@ void CellImager::store_row(std::uint32_t row, CellImage& cells) const {
 
 bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
                         PixelImage& pixels) {
-  const float pitch = pixel_pitch(cloud);
-  if (!cloud.organised() || !(pitch > 0)) return false;
-  const float max_edge = static_cast<float>(std::min(cloud.width, cloud.height));
+  if (!cloud.organised()) return false;
+  const float pitch = pitch_finder_.find(cloud);
+  if (!(pitch > 0)) return false;
+  const auto max_edge = static_cast<float>(std::min({cloud.width, cloud.height, max_edge_px}));
   cells.edge = static_cast<std::uint32_t>(std::clamp(std::round(size / pitch), 1.0F, max_edge));
   cells.pitch = pitch * static_cast<float>(cells.edge);
   lay_out(cloud, grid_offset, cells, pixels);
 
-  int behind = 0;
+  std::size_t behind = 0;
   std::uint32_t next = 0;
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::uint32_t first = next;
@@ -191,8 +170,9 @@ bool CellImager::gather(const CloudView& cloud, float size, float grid_offset, C
     sum_front_layer(pixels, first, end - first, cells);
     store_row(row, cells);
   }
-  const std::uint32_t allowed = cells.columns * cells.rows / cells_a_stray;
-  return behind == 0 && backward_steps(cells, cells.u, 1) <= allowed &&
+  // A point that is far off where its pixel looks stands alone and does no harm.
+  const std::size_t allowed = max_strays(std::size_t{cells.columns} * cells.rows);
+  return behind <= max_strays(cloud.size()) && backward_steps(cells, cells.u, 1) <= allowed &&
          backward_steps(cells, cells.v, cells.stride) <= allowed;
 }
 

@@ -9,6 +9,7 @@
 
 #include "segmentation/cloud_view.hpp"
 #include "segmentation/pixel_image.hpp"
+#include "segmentation/view/pixel_pitch.hpp"
 
 namespace cleave::segmentation {
 
@@ -49,9 +50,9 @@ class CellImager {
  public:
   // `size`: edge of a cell in units of x/z, rounded to whole pixels. `grid_offset`: 0 to 1, which
   // of the grid's edge * edge positions in the image. Leaves `pixels.segment` alone. False, with
-  // `cells` and `pixels` undefined, if the cloud is not an image seen from the origin: a point with
-  // z <= 0, no two pixels side by side, or, but for a few stray points, x/z that does not grow
-  // along rows or y/z that does not along columns.
+  // `cells` and `pixels` undefined, if the cloud is not an image seen from the origin: no two
+  // pixels side by side, or, but for a few stray points (max_strays), points with z <= 0, x/z that
+  // does not grow along rows or y/z that does not along columns.
   [[nodiscard]] bool gather(const CloudView& cloud, float size, float grid_offset, CellImage& cells,
                             PixelImage& pixels);
 
@@ -61,6 +62,7 @@ class CellImager {
                        const CellImage& cells);
   void store_row(std::uint32_t row, CellImage& cells) const;
 
+  PixelPitchFinder pitch_finder_;
   std::vector<float> limit_m_, sum_x_, sum_y_, sum_z_,
       count_;  // a column of pixels in a row of cells
 };

@@ -13,6 +13,7 @@
 #include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/spectral_cuts.hpp"
 #include "segmentation/supervoxel_graph.hpp"
+#include "segmentation/view/seen_cloud.hpp"
 #include "segmentation/voxel_path.hpp"
 
 namespace cleave::segmentation {
@@ -54,6 +55,14 @@ std::vector<std::uint32_t> numbered(std::span<const std::uint32_t> truth) {
   return object;
 }
 
+// `stored`, one a point of the cloud, for the points of the cloud as seen.
+std::vector<std::uint32_t> in_seen_order(const std::vector<std::uint32_t>& stored,
+                                         const SeenCloud& seen) {
+  std::vector<std::uint32_t> values(stored.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = stored[seen.stored_index(i)];
+  return values;
+}
+
 // The object with most points of each supervoxel, the lowest among equals; 0 if no point has one.
 std::vector<std::uint32_t> object_of_supervoxel(std::span<const std::uint32_t> object,
                                                 std::span<const std::uint32_t> supervoxel_of_point,
@@ -78,6 +87,7 @@ std::vector<std::uint32_t> object_of_supervoxel(std::span<const std::uint32_t> o
 }
 
 struct Scene {
+  SeenCloud seen;
   Supervoxels supervoxels;
   std::vector<AdjacentPair> adjacent_pairs;
   std::vector<std::uint32_t> supervoxel_of_point;
@@ -95,11 +105,13 @@ void describe(Path& path, const SupervoxelOptions& options, std::size_t points,
   scene.supervoxel_of_point = supervoxel_of_point(path, points, itself.size());
 }
 
-// False if no point is finite.
+// False if no point was measured.
 bool gather(const CloudView& cloud, const Options& options, Scene& scene) {
+  SeenCloud& seen = scene.seen;
+  const bool wants_cells = options.representation == Representation::cells;
+  const bool is_image = options.voxel.viewpoint != Viewpoint::multiple && seen.look_at_image(cloud);
   CellPath cells;
-  if (options.representation == Representation::cells &&
-      options.voxel.viewpoint != Viewpoint::multiple && cells.gather(cloud, options.voxel)) {
+  if (wants_cells && is_image && cells.gather(seen.cloud(), options.voxel)) {
     describe(
         cells, options_for_spacing(options, cells.spacing()).supervoxel, cloud.size(),
         [&](CellPath& path, const auto& segment, const RefineOptions& refine) {
@@ -108,12 +120,15 @@ bool gather(const CloudView& cloud, const Options& options, Scene& scene) {
         scene);
     return true;
   }
+  if (!is_image || wants_cells) seen.look_at_points(cloud, options.voxel.viewpoint);
+  VoxelOptions voxel = options.voxel;
+  voxel.viewpoint = seen.from_one_viewpoint() ? Viewpoint::single : Viewpoint::multiple;
   VoxelPath voxels;
-  if (!voxels.gather(cloud, options.voxel)) return false;
+  if (!voxels.gather(seen.cloud(), voxel)) return false;
   describe(
       voxels, options_for_spacing(options, voxels.spacing()).supervoxel, cloud.size(),
       [&](VoxelPath& path, const auto& segment, const RefineOptions& refine) {
-        path.label_points(cloud, scene.supervoxels, segment, refine);
+        path.label_points(seen.cloud(), scene.supervoxels, segment, refine);
       },
       scene);
   return true;
@@ -138,7 +153,8 @@ GuidedSegmentation segment_guided(const CloudView& cloud, std::span<const std::u
   const auto count = static_cast<std::uint32_t>(scene.supervoxels.size());
   std::vector<SupervoxelEdge> edges;
   build_supervoxel_graph(scene.adjacent_pairs, scene.supervoxels.surfel, options.graph, edges);
-  const auto object = object_of_supervoxel(numbered(truth), scene.supervoxel_of_point, count);
+  const auto object = object_of_supervoxel(in_seen_order(numbered(truth), scene.seen),
+                                           scene.supervoxel_of_point, count);
 
   GraphCoarsener coarsener;
   (void)coarsener.coarsen(count, edges, 0);  // leaves every supervoxel its own vertex

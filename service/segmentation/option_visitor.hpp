@@ -41,9 +41,10 @@ void visit_options(Options& options, Visitor&& visitor) {
   visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");
   visitor.boolean("voxel.follow_spacing", voxel.follow_spacing,
                   "sizes left at their defaults grow with the spacing of sparse clouds");
-  choice("voxel.viewpoint", voxel.viewpoint,
-         std::array{Names("automatic"), Names("single"), Names("multiple")},
-         "single: voxels grow with depth; multiple: they do not; automatic: single if all z > 0");
+  choice(
+      "voxel.viewpoint", voxel.viewpoint,
+      std::array{Names("automatic"), Names("single"), Names("multiple")},
+      "single: voxels grow with depth; multiple: they do not; automatic: as the cloud was sampled");
   choice("voxel.neighbourhood", voxel.neighbourhood,
          std::array{Names("automatic"), Names("6"), Names("18"), Names("26")},
          "neighbours of a voxel, not of a cell; automatic: 18 for svc, 26 otherwise");

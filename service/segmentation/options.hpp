@@ -7,12 +7,14 @@ namespace cleave::segmentation {
 
 enum class Algorithm { ssc, constrained_ssc, svc, convex_components };
 
-// Where the cloud was seen from. `automatic`: single if every finite point has z > 0.
+// Where the cloud was seen from. `automatic`: an image from its camera; an unorganised cloud from
+// the pose it came with, or the origin, if its points are more even as seen from there than in
+// metres (view/point_view).
 enum class Viewpoint { automatic, single, multiple };
 
 // What a cloud is made smaller with. Cells, of a few pixels, take a fifth of the time and need an
-// image seen from one viewpoint: an organised cloud in which all points have z > 0, x/z grows along
-// rows and y/z along columns. Any other cloud is made into voxels.
+// image seen from one viewpoint, in any frame and storage order (view/image_view). Any other cloud
+// is made into voxels.
 enum class Representation { cells, voxels };
 
 // Which Laplacian the eigenvectors are of: equation 2.11, 2.13 or 2.14.

@@ -2,6 +2,7 @@
 
 #include "segmentation/multiversion.hpp"
 #include "segmentation/point_set.hpp"
+#include "segmentation/view/measured.hpp"
 
 namespace cleave::segmentation {
 
@@ -31,11 +32,12 @@ inline __attribute__((always_inline)) int split_row(const float* __restrict p, s
     const float px = p[i * stride];
     const float py = p[i * stride + 1];
     const float pz = p[i * stride + 2];
-    const bool measured = px * 0 + py * 0 + pz * 0 == 0;  // none is infinite or no number
-    x[i] = measured ? within_bounds(px) : 0;
-    y[i] = measured ? within_bounds(py) : 0;
-    z[i] = measured ? within_bounds(pz) : PixelImage::no_depth;
-    behind += (measured & !(pz > 0)) ? 1 : 0;
+    const bool measured = is_measured(px, py, pz);
+    const bool seen = measured & (pz > 0);
+    x[i] = seen ? within_bounds(px) : 0;
+    y[i] = seen ? within_bounds(py) : 0;
+    z[i] = seen ? within_bounds(pz) : PixelImage::no_depth;
+    behind += (measured & !seen) ? 1 : 0;
   }
   return behind;
 }
@@ -52,15 +54,21 @@ int split_aligned_row(const float* p, std::size_t count, float* x, float* y, flo
 
 }  // namespace
 
-int load_row(const CloudView& cloud, std::uint32_t row, PixelImage& image) {
+std::size_t load_row(const CloudView& cloud, std::uint32_t row, PixelImage& image) {
   const std::size_t begin = image.layout.row_begin(row);
   float* x = image.x.data() + begin;
   float* y = image.y.data() + begin;
   float* z = image.z.data() + begin;
   const float* p = cloud.point(std::size_t{row} * cloud.width);
-  if (cloud.stride == 3) return split_packed_row(p, cloud.width, x, y, z);
-  if (cloud.stride == 4) return split_aligned_row(p, cloud.width, x, y, z);
-  return split_row(p, cloud.stride, cloud.width, x, y, z);
+  int behind = 0;
+  if (cloud.stride == 3) {
+    behind = split_packed_row(p, cloud.width, x, y, z);
+  } else if (cloud.stride == 4) {
+    behind = split_aligned_row(p, cloud.width, x, y, z);
+  } else {
+    behind = split_row(p, cloud.stride, cloud.width, x, y, z);
+  }
+  return static_cast<std::size_t>(behind);
 }
 
 }  // namespace cleave::segmentation

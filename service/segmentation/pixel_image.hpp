@@ -40,7 +40,8 @@ struct PixelImage {
 };
 
 // Copies a row of the cloud's points, cut to +-max_coordinate_m, into an image that is laid out for
-// it. Returns how many measured ones are not in front of the sensor.
-[[nodiscard]] int load_row(const CloudView& cloud, std::uint32_t row, PixelImage& image);
+// it. What is not in front of the sensor is left out like what was not measured; returns how many
+// measured points that are.
+[[nodiscard]] std::size_t load_row(const CloudView& cloud, std::uint32_t row, PixelImage& image);
 
 }  // namespace cleave::segmentation

@@ -16,12 +16,15 @@ inline constexpr float max_coordinate_m = 1e6F;
 struct PointSet {
   std::vector<float> x, y, z;        // metres, within +-max_coordinate_m
   std::vector<std::uint32_t> index;  // of the point in the cloud
-  bool all_in_front = true;          // every z > 0
+  std::size_t behind = 0;            // how many have z <= 0
 
   [[nodiscard]] std::size_t size() const { return index.size(); }
 };
 
-// Takes the points whose three coordinates are finite.
-void gather_finite_points(const CloudView& cloud, PointSet& points);
+// Takes the points that were measured.
+void gather_measured_points(const CloudView& cloud, PointSet& points);
+
+// Leaves out those with z <= 0.
+void drop_points_behind(PointSet& points);
 
 }  // namespace cleave::segmentation

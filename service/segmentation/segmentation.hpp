@@ -1,4 +1,5 @@
-// The output: a label a point, and what is known of every segment.
+// The output: a label a point, and what is known of every segment, in the frame of the cloud and
+// relative to its origin_m.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,12 +8,12 @@
 
 namespace cleave::segmentation {
 
-// Half-open rectangle of image columns and rows; all 0 for an unorganised cloud.
+// Half-open rectangle of columns and rows as stored; all 0 for an unorganised cloud.
 struct ImageRectangle {
   std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
-// Box around a segment's points. `orientation` turns box axes into the sensor's frame.
+// Box around a segment's points. `orientation` turns box axes into the cloud's frame.
 struct OrientedBox {
   Eigen::Vector3f centre = Eigen::Vector3f::Zero();
   Eigen::Quaternionf orientation = Eigen::Quaternionf::Identity();
@@ -38,7 +39,8 @@ struct Border {
   BorderKind kind = BorderKind::concave;
 };
 
-// segments[i].label == i + 1; label 1 has most points, ties by lowest point index.
+// segments[i].label == i + 1; label 1 has most points, ties by lowest point index; in an image by
+// the first point of the upright image, whatever order it is stored in.
 struct Segmentation {
   std::vector<Segment> segments;
   std::vector<Border> borders;        // sorted by (first, second)

@@ -14,6 +14,7 @@
 #include "segmentation/segment_shapes.hpp"
 #include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/supervoxel_graph.hpp"
+#include "segmentation/view/seen_cloud.hpp"
 #include "segmentation/voxel_path.hpp"
 
 namespace cleave::segmentation {
@@ -21,6 +22,7 @@ namespace cleave::segmentation {
 // The steps, and what they hand on. A step overwrites all of its output: nothing of a frame is left
 // for the next but memory.
 struct Segmenter::Workspace {
+  SeenCloud seen;
   VoxelPath voxel_path;
   CellPath cell_path;
   GraphPartitioner partitioner;
@@ -47,9 +49,8 @@ struct Segmenter::Workspace {
   void cluster_supervoxels(const Options& options);
   void build_graph(const Options& options);
   void clean_up(const Options& options);
-  bool label_points(const CloudView& cloud, const Options& options,
-                    std::span<std::uint16_t> labels);
-  void describe(const CloudView& cloud, const DescribeOptions& options, Segmentation& result);
+  bool label_points(const Options& options, std::span<std::uint16_t> labels);
+  void describe(const DescribeOptions& options, Segmentation& result);
   [[nodiscard]] CloudSpacing spacing() const {
     return on_cells ? cell_path.spacing() : voxel_path.spacing();
   }
@@ -59,14 +60,18 @@ struct Segmenter::Workspace {
 };
 
 bool Segmenter::Workspace::gather(const CloudView& cloud, const Options& options) {
-  on_cells =
-      options.algorithm != Algorithm::svc && options.representation == Representation::cells &&
-      options.voxel.viewpoint != Viewpoint::multiple && cell_path.gather(cloud, options.voxel);
+  const bool wants_cells =
+      options.algorithm != Algorithm::svc && options.representation == Representation::cells;
+  const bool is_image = options.voxel.viewpoint != Viewpoint::multiple && seen.look_at_image(cloud);
+  on_cells = wants_cells && is_image && cell_path.gather(seen.cloud(), options.voxel);
+  if (on_cells) return true;
+  if (!is_image || wants_cells) seen.look_at_points(cloud, options.voxel.viewpoint);
   VoxelOptions voxel = options.voxel;
+  voxel.viewpoint = seen.from_one_viewpoint() ? Viewpoint::single : Viewpoint::multiple;
   if (options.algorithm == Algorithm::svc && voxel.neighbourhood == Neighbourhood::automatic) {
     voxel.neighbourhood = Neighbourhood::edges;
   }
-  return on_cells || voxel_path.gather(cloud, voxel);
+  return voxel_path.gather(seen.cloud(), voxel);
 }
 
 void Segmenter::Workspace::estimate_normals() {
@@ -110,23 +115,23 @@ void Segmenter::Workspace::clean_up(const Options& options) {
 }
 
 // False if there are more segments than labels.
-bool Segmenter::Workspace::label_points(const CloudView& cloud, const Options& options,
-                                        std::span<std::uint16_t> labels) {
-  on_cells ? cell_path.label_points(supervoxels, segment_of_supervoxel, options.refine)
-           : voxel_path.label_points(cloud, supervoxels, segment_of_supervoxel, options.refine);
+bool Segmenter::Workspace::label_points(const Options& options, std::span<std::uint16_t> labels) {
+  on_cells
+      ? cell_path.label_points(supervoxels, segment_of_supervoxel, options.refine)
+      : voxel_path.label_points(seen.cloud(), supervoxels, segment_of_supervoxel, options.refine);
   dust_settler.settle(*points().runs, edges, segment_of_supervoxel, segments,
                       options.clean_up.min_segment_points, settled);
   if (!label_order.order(*points().runs, settled, label_of_segment)) return false;
-  on_cells ? cell_path.write_labels(label_of_segment, labels)
-           : voxel_path.write_labels(label_of_segment, labels);
+  const std::span<std::uint16_t> seen_labels = seen.labels(labels);
+  on_cells ? cell_path.write_labels(label_of_segment, seen_labels)
+           : voxel_path.write_labels(label_of_segment, seen_labels);
   return true;
 }
 
-void Segmenter::Workspace::describe(const CloudView& cloud, const DescribeOptions& options,
-                                    Segmentation& result) {
+void Segmenter::Workspace::describe(const DescribeOptions& options, Segmentation& result) {
   on_cells ? cell_path.list_surface(segment_of_supervoxel, surface)
            : voxel_path.list_surface(surface);
-  shape_describer.describe(points(), surface, cloud.organised(), label_of_segment, options,
+  shape_describer.describe(points(), surface, seen.cloud().organised(), label_of_segment, options,
                            result.segments);
   border_describer.describe(edges, segment_of_supervoxel, label_of_segment, result.borders);
   for (const PointRun& run : *points().runs) result.measured_points += run.end - run.begin;
@@ -181,10 +186,11 @@ Outcome Segmenter::segment(const CloudView& cloud, std::span<std::uint16_t> labe
   w.clean_up(options);
   ended(Stage::clean_up);
 
-  if (!w.label_points(cloud, options, labels)) return Outcome::too_many_segments;
+  if (!w.label_points(options, labels)) return Outcome::too_many_segments;
   ended(Stage::label_points);
 
-  w.describe(cloud, options.describe, result);
+  w.describe(options.describe, result);
+  w.seen.give_back(labels, result);
   ended(Stage::describe);
   return Outcome::segmented;
 }

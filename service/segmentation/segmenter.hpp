@@ -12,7 +12,7 @@
 
 namespace cleave::segmentation {
 
-// The steps of Segmenter::segment, in order.
+// The steps of Segmenter::segment, in order; how the cloud is looked at is part of the first.
 enum class Stage {
   voxelise,
   normals,

@@ -15,7 +15,7 @@ constexpr std::array<float, 3> offset_share = {1.0F, 0.7F, 0.4F};
 constexpr float min_depth_m = 1e-3F;
 
 bool seen_from_one_viewpoint(const PointSet& points, Viewpoint viewpoint) {
-  if (viewpoint == Viewpoint::automatic) return points.all_in_front;
+  if (viewpoint == Viewpoint::automatic) return points.behind == 0;
   return viewpoint == Viewpoint::single;
 }
 

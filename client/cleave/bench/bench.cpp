@@ -60,7 +60,7 @@ void Bench::measure(const std::string& name, const LabelledCloud& cloud) {
 void Bench::warm_up(const std::string& name, const LabelledCloud& cloud) {
   for (Grid& grid : grids_) {
     if (grid.segmenter.segment(cloud.view(), labels_, segmentation_) != Outcome::segmented) {
-      throw std::runtime_error(name + ": no point has finite coordinates");
+      throw std::runtime_error(name + ": no point has coordinates that are finite and not all 0");
     }
   }
 }

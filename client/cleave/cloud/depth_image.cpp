@@ -4,14 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "segmentation/view/measured.hpp"
+
 namespace cleave::client {
 namespace {
 
 using segmentation::CloudView;
-
-bool is_finite(const float* p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
 
 DepthImage blank(std::uint32_t width, std::uint32_t height) {
   const std::size_t pixels = std::size_t{width} * height;
@@ -44,23 +42,23 @@ struct Pinhole {
 };
 
 // A cloud with points behind the sensor is looked at from behind all of them.
-float pull_back_of(const CloudView& cloud, const std::vector<std::size_t>& finite) {
+float pull_back_of(const CloudView& cloud, const std::vector<std::size_t>& measured) {
   std::vector<float> depths;
-  depths.reserve(finite.size());
-  for (const std::size_t i : finite) depths.push_back(cloud.point(i)[2]);
+  depths.reserve(measured.size());
+  for (const std::size_t i : measured) depths.push_back(cloud.point(i)[2]);
   const float nearest = *std::min_element(depths.begin(), depths.end());
   if (nearest > 0) return 0;
   const float distance_m = std::max(1.0F, 2 * robust_range(depths).length());
   return distance_m - nearest;
 }
 
-Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& finite,
+Pinhole fit_pinhole(const CloudView& cloud, const std::vector<std::size_t>& measured,
                     ImageSize size) {
   Pinhole pinhole;
-  pinhole.pull_back_m = pull_back_of(cloud, finite);
+  pinhole.pull_back_m = pull_back_of(cloud, measured);
   std::vector<float> columns;
   std::vector<float> rows;
-  for (const std::size_t i : finite) {
+  for (const std::size_t i : measured) {
     const float* p = cloud.point(i);
     columns.push_back(p[0] / (p[2] + pinhole.pull_back_m));
     rows.push_back(p[1] / (p[2] + pinhole.pull_back_m));
@@ -108,14 +106,14 @@ void paint(DepthImage& image, float column, float row, int edge, float depth_m,
 
 DepthImage project(const CloudView& cloud, std::span<const std::uint16_t> labels, ImageSize size) {
   DepthImage image = blank(size.width, size.height);
-  std::vector<std::size_t> finite;
+  std::vector<std::size_t> measured;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (is_finite(cloud.point(i))) finite.push_back(i);
+    if (segmentation::is_measured(cloud.point(i))) measured.push_back(i);
   }
-  if (finite.empty()) return image;
-  const Pinhole pinhole = fit_pinhole(cloud, finite, size);
-  const int edge = splat_edge(finite.size(), size);
-  for (const std::size_t i : finite) {
+  if (measured.empty()) return image;
+  const Pinhole pinhole = fit_pinhole(cloud, measured, size);
+  const int edge = splat_edge(measured.size(), size);
+  for (const std::size_t i : measured) {
     const float* p = cloud.point(i);
     const float depth_m = p[2] + pinhole.pull_back_m;
     paint(image, pinhole.scale * p[0] / depth_m + pinhole.centre_column,
@@ -131,7 +129,7 @@ DepthImage depth_image(const CloudView& cloud, std::span<const std::uint16_t> la
   if (!cloud.organised()) return project(cloud, labels, projected);
   DepthImage image = blank(cloud.width, cloud.height);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!is_finite(cloud.point(i))) continue;
+    if (!segmentation::is_measured(cloud.point(i))) continue;
     image.depth_m[i] = cloud.point(i)[2];
     image.label[i] = labels[i];
   }

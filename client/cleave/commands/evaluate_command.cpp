@@ -95,7 +95,8 @@ int run(const EvaluateOptions& options) {
 
 constexpr char examples[] =
     "PATH holds PCD files, organised or not, with the field label (uint32, 0 = not counted). Only\n"
-    "finite points count; a point that an algorithm leaves without a label counts for its nearest\n"
+    "measured points count; a point that an algorithm leaves without a label counts for its "
+    "nearest\n"
     "labelled one. Coverings, under- and over-segmentation are those of section 5.2 of the "
     "thesis;\n"
     "boundary F counts borders in the image as found within 0.8 % of its diagonal; objects are\n"

@@ -14,6 +14,7 @@
 #include "cleave/cloud/picture.hpp"
 #include "cleave/cloud/png_file.hpp"
 #include "cleave/cloud/segment_table.hpp"
+#include "cleave/cloud/viewpoint.hpp"
 #include "cleave/commands/segment_recording.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/commands/unit_option.hpp"
@@ -35,10 +36,19 @@ struct SegmentOptions {
   std::string output;
   std::string picture;      // empty = none
   std::uint64_t frame = 0;  // of a recording, from 1; 0 = not given
+  std::string viewpoint;    // empty = as the file says
   bool json = false;
   UnitArgument unit;
   SegmentationArguments segmentation;
 };
+
+segmentation::SensorPose viewpoint_of(const std::string& text) {
+  try {
+    return parse_viewpoint(text);
+  } catch (const ViewpointError& error) {
+    throw UsageError(error.what());
+  }
+}
 
 Segmentation segment(const segmentation::CloudView& cloud, std::vector<std::uint16_t>& labels,
                      const SegmentOptions& options) {
@@ -46,17 +56,19 @@ Segmentation segment(const segmentation::CloudView& cloud, std::vector<std::uint
   Segmentation result;
   const Outcome outcome = segmenter.segment(cloud, labels, result);
   if (outcome == Outcome::no_finite_point) {
-    throw std::runtime_error(options.input +
-                             ": no point has finite coordinates; there is nothing to segment");
+    throw std::runtime_error(
+        options.input +
+        ": no point has coordinates that are finite and not all 0; there is nothing to segment");
   }
   if (outcome == Outcome::bad_size) {
     throw std::runtime_error(options.input + ": the segmentation takes no cloud of this size");
   }
   if (outcome == Outcome::too_many_segments) {
-    throw std::runtime_error(options.input +
-                   ": falls into more than 65535 segments, which is all that labels can name; set "
-                   "clean_up.min_segment_points, or a larger voxel.size_m and "
-                   "supervoxel.seed_spacing_m");
+    throw std::runtime_error(
+        options.input +
+        ": falls into more than 65535 segments, which is all that labels can name; set "
+        "clean_up.min_segment_points, or a larger voxel.size_m and "
+        "supervoxel.seed_spacing_m");
   }
   const std::string_view advice = segmentation::advice_on(segmentation::doubt_about(result));
   if (!advice.empty()) spdlog::warn("{}: {}", options.input, advice);
@@ -101,16 +113,15 @@ int run(const SegmentOptions& options) {
   }
   if (is_recording(options.input) && is_folder(options.output)) {
     if (!options.picture.empty()) throw UsageError("--picture is of one frame: add --frame N");
-    return segment_recording(
-        {options.input, options.output, options.json, options.unit.unit(),
-         options_of(options.segmentation)});
+    return segment_recording({options.input, options.output, options.json, options.unit.unit(),
+                              options_of(options.segmentation)});
   }
   PcdCloud cloud = read(options);
   std::vector<std::uint16_t> labels(cloud.header().points());
-  segmentation::CloudView view = view_of(cloud);
   std::vector<float> xyz(cloud.xyz().begin(), cloud.xyz().end());
   recording::make_metres(xyz, options.unit.unit(), options.input);
-  view.xyz = xyz.data();
+  segmentation::CloudView view = view_in_metres(cloud, xyz, options.unit.unit());
+  if (!options.viewpoint.empty()) view.pose = viewpoint_of(options.viewpoint);
   const Segmentation result = segment(view, labels, options);
   cloud.set_labels(labels);
   write_pcd(options.output, cloud);
@@ -139,6 +150,12 @@ void add_segment_command(CLI::App& app, Action& action) {
   command->add_option("--frame", options->frame, "of a recording, this one alone, from 1")
       ->check(CLI::PositiveNumber);
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
+  command
+      ->add_option(
+          "--viewpoint", options->viewpoint,
+          "where the sensor stood, in the cloud's frame; else as the file's VIEWPOINT says, "
+          "and where that is 0 0 0 1 0 0 0, as the points tell")
+      ->type_name("X,Y,Z[,QW,QX,QY,QZ]");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
   add_unit_option(*command, options->unit);
   add_segmentation_options(*command, options->segmentation);
@@ -149,6 +166,7 @@ void add_segment_command(CLI::App& app, Action& action) {
       "  cleave segment 'bag.mcap?topic=/camera/depth/points' labelled/\n"
       "  cleave segment run.mcap third.pcd --frame 3\n"
       "  cleave segment scan.pcd out.pcd --unit mm\n"
+      "  cleave segment map.pcd out.pcd --viewpoint 1.5,0,0.8\n"
       "\n"
       "OUTPUT keeps the points in their unit, their order and organisation, VIEWPOINT and every\n"
       "other field; label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, "

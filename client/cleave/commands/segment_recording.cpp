@@ -61,13 +61,13 @@ class Run {
     std::vector<std::uint16_t> labels(pcd.header().points());
     std::vector<float> xyz = cloud.xyz;
     recording::make_metres(xyz, recording_.unit, recording_.input);
-    segmentation::CloudView view = view_of(pcd);
-    view.xyz = xyz.data();
+    const segmentation::CloudView view = view_in_metres(pcd, xyz, recording_.unit);
     Segmentation result;
     if (segmenter_.segment(view, labels, result) != Outcome::segmented) {
-      spdlog::warn("frame {}: not segmented: no point is measured, it has more than 65535 segments, "
-                   "or the segmentation takes no cloud of its size",
-                   cloud.header.frame_id);
+      spdlog::warn(
+          "frame {}: not segmented: no point is measured, it has more than 65535 segments, "
+          "or the segmentation takes no cloud of its size",
+          cloud.header.frame_id);
       ++failed_;
       return;
     }

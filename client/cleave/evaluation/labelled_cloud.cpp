@@ -1,24 +1,26 @@
 #include "cleave/evaluation/labelled_cloud.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "recording/pcd/cloud.hpp"
+#include "cleave/cloud/pcd_view.hpp"
 #include "recording/units/suspected_unit.hpp"
+#include "segmentation/view/measured.hpp"
 
 namespace cleave::evaluation {
 
 LabelledCloud load_cloud(const std::filesystem::path& file, std::optional<recording::Unit> unit) {
   const auto pcd = recording::PcdCloud::read(file);
-  LabelledCloud cloud{.width = pcd.header().width,
-                      .height = pcd.header().height,
+  const segmentation::CloudView view = client::view_in_metres(pcd, pcd.xyz(), unit);
+  LabelledCloud cloud{.width = view.width,
+                      .height = view.height,
                       .xyz = {pcd.xyz().begin(), pcd.xyz().end()},
-                      .label = pcd.labels()};
+                      .label = pcd.labels(),
+                      .origin_m = view.origin_m,
+                      .pose = view.pose};
   for (std::size_t i = 0; i < cloud.label.size(); ++i) {
-    const float* p = &cloud.xyz[3 * i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) cloud.label[i] = 0;
+    if (!segmentation::is_measured(view.point(i))) cloud.label[i] = 0;
   }
   recording::make_metres(cloud.xyz, unit, file.string());
   return cloud;
@@ -33,7 +35,7 @@ LabelledCloud load_labelled_cloud(const std::filesystem::path& file,
   }
   if (std::ranges::all_of(cloud.label, [](std::uint32_t label) { return label == 0; })) {
     throw std::runtime_error(file.string() +
-                             ": no finite point has a label other than 0, so nothing can be "
+                             ": no measured point has a label other than 0, so nothing can be "
                              "judged by it");
   }
   return cloud;

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+#include "segmentation/view/measured.hpp"
+
 namespace cleave::evaluation {
 namespace {
 
@@ -96,21 +98,17 @@ class LabelledPoints {
   Eigen::Vector3i high_ = Eigen::Vector3i::Constant(std::numeric_limits<int>::min() / 2);
 };
 
-bool is_finite(const float* p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 }  // namespace
 
 void label_unlabelled(const segmentation::CloudView& cloud, std::span<std::uint16_t> labels) {
   LabelledPoints labelled(cloud);
   std::vector<std::size_t> unlabelled;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (is_finite(cloud.point(i)) && labels[i] == 0) unlabelled.push_back(i);
+    if (segmentation::is_measured(cloud.point(i)) && labels[i] == 0) unlabelled.push_back(i);
   }
   if (unlabelled.empty()) return;
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (is_finite(cloud.point(i)) && labels[i] != 0) labelled.add(i);
+    if (segmentation::is_measured(cloud.point(i)) && labels[i] != 0) labelled.add(i);
   }
   if (labelled.empty()) return;
 

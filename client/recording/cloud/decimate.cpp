@@ -1,17 +1,14 @@
 #include "recording/cloud/decimate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "recording/cloud/measured.hpp"
 
 namespace cleave::recording {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-bool is_measured(const float* p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && p[2] > 0;
-}
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "recording/cloud/measured.hpp"
+
 namespace cleave::recording {
 namespace {
 
@@ -84,11 +86,6 @@ std::vector<double> exact_coordinates(const PcdHeader& header, std::span<const s
   return xyz;
 }
 
-bool is_measurement(const double* p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) &&
-         !(p[0] == 0 && p[1] == 0 && p[2] == 0);
-}
-
 // 0 0 0, or where the cloud is, in units of its distance / 2^20, so that 21 bits hold it.
 std::array<double, 3> find_origin(const std::vector<double>& xyz) {
   std::array<double, 3> middle{};
@@ -97,7 +94,7 @@ std::array<double, 3> find_origin(const std::vector<double>& xyz) {
   for (std::size_t axis = 0; axis < middle.size(); ++axis) {
     std::vector<double> values;
     for (std::size_t i = 0; i < xyz.size(); i += 3) {
-      if (is_measurement(&xyz[i])) values.push_back(xyz[i + axis]);
+      if (is_measured(&xyz[i])) values.push_back(xyz[i + axis]);
     }
     if (values.empty()) return {};
     const auto at = [&](double share) {  // a few stray points shall not count

@@ -1,10 +1,10 @@
 #include "recording/pcd/stream_cloud.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "recording/cloud/fit_intrinsics.hpp"
+#include "recording/cloud/measured.hpp"
 #include "recording/pcd/cloud.hpp"
 #include "recording/units/suspected_unit.hpp"
 
@@ -20,7 +20,7 @@ StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t m
                     .origin = pcd.origin()};
   for (std::size_t i = 0; i < cloud.xyz.size(); i += 3) {
     float* const p = &cloud.xyz[i];
-    if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
+    if (is_measured(p)) continue;
     std::fill_n(p, 3, std::numeric_limits<float>::quiet_NaN());
   }
   make_metres(cloud.xyz, unit, file.string());

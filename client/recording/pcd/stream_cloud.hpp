@@ -20,10 +20,11 @@ struct StreamCloud {
   std::array<double, 3> origin{};  // to be added to xyz for the file's coordinates, in metres
 };
 
-// The points are PcdCloud's, bit for bit, but that one with a coordinate that is not finite becomes
+// The points are PcdCloud's, bit for bit, but that one that is no measurement (is_measured) becomes
 // NaN NaN NaN, and that those in another `unit` are scaled to metres. Other fields are passed over.
-// One for the grabber and for `convert`, which must agree about every bit. Throws PcdError, also for
-// more than `most_points`; WrongUnit where no unit is given and the file seems to be in millimetres.
+// One for the grabber and for `convert`, which must agree about every bit. Throws PcdError, also
+// for more than `most_points`; WrongUnit where no unit is given and the file seems to be in
+// millimetres.
 [[nodiscard]] StreamCloud read_stream_cloud(const std::filesystem::path& file,
                                             std::uint64_t most_points,
                                             std::optional<Unit> unit = {});

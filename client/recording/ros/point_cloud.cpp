@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "recording/cdr/byte_order.hpp"
+#include "recording/cloud/measured.hpp"
 #include "recording/ros/unusable.hpp"
 
 namespace cleave::recording::ros {
@@ -132,7 +133,7 @@ std::vector<float> points_of(const PointCloud2& cloud) {
     copy_axis(cloud, field_of(cloud, name), &xyz[axis++]);
   }
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
-    if (std::isfinite(xyz[i]) && std::isfinite(xyz[i + 1]) && std::isfinite(xyz[i + 2])) continue;
+    if (is_measured(&xyz[i])) continue;
     std::fill_n(&xyz[i], 3, no_measurement);
   }
   return xyz;

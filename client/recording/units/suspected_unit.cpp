@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "recording/cloud/measured.hpp"
 #include "recording/units/nearest_spacing.hpp"
 
 namespace cleave::recording {
@@ -22,7 +23,8 @@ constexpr double least_step = 0.1;  // from a pixel to the next
 struct Point {
   float x, y, z;
   [[nodiscard]] bool measured() const {
-    return std::isfinite(x) && std::isfinite(y) && std::isfinite(z) && (x != 0 || y != 0 || z != 0);
+    const std::array<float, 3> xyz = {x, y, z};
+    return is_measured(xyz.data());
   }
   [[nodiscard]] bool in_view() const {
     return z > 0 && std::abs(x) < max_ratio * z && std::abs(y) < max_ratio * z;

@@ -1,0 +1,53 @@
+// How the points of a cloud look from some place: tells whether a sensor stood there.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "segmentation/cell_ranking.hpp"
+#include "segmentation/cloud_view.hpp"
+
+namespace cleave::segmentation {
+
+struct Sight {
+  // How much the distances from points to their nearest neighbours differ: upper over lower
+  // quartile, squared. In angles even means sampled by a sensor there; in metres, by a voxel
+  // filter.
+  double angular_spread = 1, metric_spread = 1;
+  double spacing_rad = 0;  // median
+  double hidden = 0;       // share of points behind others: a sensor there sees none of these
+};
+
+// The measured points of a cloud, relative to their middle.
+class SightedPoints {
+ public:
+  void take(const CloudView& cloud);
+  [[nodiscard]] std::size_t size() const { return x_.size(); }
+  // Of each coordinate the median of a thousand points, and the median distance from there; in the
+  // coordinates of the cloud. Not empty.
+  [[nodiscard]] const Eigen::Vector3d& middle() const { return middle_; }
+  [[nodiscard]] double extent_m() const { return extent_m_; }
+
+  // From `place`, in the coordinates of the cloud. Not empty.
+  [[nodiscard]] Sight look_from(const Eigen::Vector3d& place);
+  // How many points are not seen from `place` at less than about 80 deg from `axis`, a unit vector.
+  [[nodiscard]] std::size_t behind(const Eigen::Vector3d& place, const Eigen::Vector3d& axis) const;
+
+ private:
+  void find_middle(const CloudView& cloud);
+  void find_spacing(const Eigen::Vector3f& place, Sight& sight);
+  [[nodiscard]] double share_hidden(const Eigen::Vector3f& place, double spacing_rad);
+
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  double extent_m_ = 0;
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint32_t> sample_;
+  std::vector<double> values_, angular_, metric_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<float> range_, nearest_;
+  CellRanking ranking_;
+};
+
+}  // namespace cleave::segmentation

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "stored_scene.hpp"
+#include "tests/unit/segmentation/depth_scene.hpp"
+
+namespace cleave::segmentation {
+namespace {
+
+using Point = std::array<float, 3>;
+
+// The labels with `point` in place of every so-manieth measured one are those with NaN there.
+void expect_no_harm_of(const Point& point, std::size_t strays) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const DepthScene scene(3);
+  std::vector<float> without = scene.xyz, with = scene.xyz;
+  for (std::size_t k = 0; k < strays; ++k) {
+    const std::size_t i = (2 * k + 1) * scene.view().size() / (2 * strays) + 7;
+    std::fill_n(&without[3 * i], 3, nan);
+    std::copy(point.begin(), point.end(), &with[3 * i]);
+  }
+  for (const Representation representation : {Representation::cells, Representation::voxels}) {
+    for (const std::uint32_t height : {scene.height, 1U}) {
+      const std::uint32_t width = scene.width * scene.height / height;
+      Options options;
+      options.representation = representation;
+      EXPECT_EQ(segmented({with.data(), 3, width, height}, options).labels,
+                segmented({without.data(), 3, width, height}, options).labels)
+          << point[2] << ", " << strays << " strays, height " << height;
+    }
+  }
+}
+
+TEST(StrayPoint, OnOrBehindTheSensorChangesNoOther) {
+  for (const Point& point : {Point{0, 0, -1}, Point{0.3F, 0.2F, 0}, Point{-5, 2, -1e-6F},
+                             Point{1e30F, -1e30F, -1e30F}}) {
+    expect_no_harm_of(point, 1);
+  }
+}
+
+TEST(StrayPoint, MayBeOneInAThousand) {
+  expect_no_harm_of({0, 0, -1}, 18);  // of 18,800
+}
+
+}  // namespace
+}  // namespace cleave::segmentation
