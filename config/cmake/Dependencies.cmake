@@ -59,6 +59,7 @@ find_path(PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-
 find_library(PCL_COMMON_LIBRARY pcl_common)
 find_library(PCL_IO_LIBRARY pcl_io)
 cleave_require(PCL_INCLUDE_DIR "PCL" libpcl-dev)
+cleave_require(PCL_COMMON_LIBRARY "PCL" libpcl-dev)
 cleave_require(PCL_IO_LIBRARY "PCL" libpcl-dev)
 add_library(cleave_pcl_io INTERFACE)
 target_include_directories(cleave_pcl_io SYSTEM INTERFACE "${PCL_INCLUDE_DIR}")
