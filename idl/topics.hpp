@@ -1,4 +1,4 @@
-// Names of the topics, and the rule for the one part of them that a user chooses.
+// Names of the contract and its topics, and the rule for the one part of them that a user chooses.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,13 @@
 #include <string_view>
 
 namespace cleave {
+
+// Programs whose contract differs do not understand each other: the module in cleave_v1.idl.
+inline constexpr std::string_view contract_name = "cleave_v1";
+
+inline std::string version_text(std::string_view version) {
+  return std::string(version) + " (contract " + std::string(contract_name) + ")";
+}
 
 inline constexpr std::size_t max_sensor_name_length = 63;  // char sensor[64] in the contract
 

@@ -89,9 +89,8 @@ RawWriter::RawWriter(Stream& stream, const Topic& topic, WriterDepth depth)
   s.zero_copy = dds_is_loan_available(s.writer.get());
   if (topic.domain == Domain::bulk && stream.transport() == Transport::shared_memory &&
       !s.zero_copy) {
-    throw std::runtime_error(
-        "cannot loan shared memory for " + topic.name + ": RouDi's pools have no chunks of " +
-        std::to_string(topic.descriptor->m_size) + " bytes; start it with -c config/roudi.toml");
+    throw std::runtime_error("cannot loan shared memory for " + topic.name +
+                             ": DDS refuses it for " + "this type or quality of service");
   }
 }
 

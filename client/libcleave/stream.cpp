@@ -2,13 +2,15 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
 #include "libcleave/dds.hpp"
-#include "libcleave/roudi.hpp"
+#include "libcleave/roudi_access.hpp"
+#include "libcleave/types.hpp"
 
 namespace cleave {
 namespace {
@@ -57,6 +59,14 @@ dds::Entity join(std::uint32_t id) {
               " (more than 60 processes on it, or its UDP ports are taken)"};
 }
 
+// The larger of the two types that travel through it.
+constexpr std::uint32_t largest_sample = std::max(sizeof(DepthCloud), sizeof(LabelMap));
+
+std::string why_no_shared_memory() {
+  std::string obstacle = obstacle_to_roudi();
+  return obstacle.empty() && may_write_to_roudi() ? obstacle_of_pools(largest_sample) : obstacle;
+}
+
 }  // namespace
 
 StreamOptions with_environment(StreamOptions options) {
@@ -87,12 +97,9 @@ Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>())
   s.options = options;
   if (!options.shared_memory) {
     s.reason = "switched off by configuration";
-  } else if (!roudi_answers()) {
-    s.reason = "no RouDi answers at /tmp/roudi";
-    spdlog::warn(
-        "{}: clouds and label maps are copied over the network; start "
-        "`iox-roudi -c config/roudi.toml` and restart for zero copy",
-        s.reason);
+  } else if (s.reason = why_no_shared_memory(); !s.reason.empty()) {
+    spdlog::warn("no shared memory, clouds and label maps are copied over the network: {}",
+                 s.reason);
   } else {
     s.transport = Transport::shared_memory;
     s.reason = "RouDi answers";

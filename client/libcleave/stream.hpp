@@ -34,8 +34,8 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  // What carries clouds and label maps, and why: "RouDi answers", "no RouDi answers at /tmp/roudi",
-  // "switched off by configuration".
+  // What carries clouds and label maps, and why: "RouDi answers", "switched off by configuration",
+  // or what obstacle_to_roudi() and obstacle_of_pools() say, with what to do about it.
   [[nodiscard]] Transport transport() const;
   [[nodiscard]] const std::string& transport_reason() const;
   [[nodiscard]] const StreamOptions& options() const;

@@ -42,6 +42,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   CLI::App app("Publishes the frames of a depth camera, or of recordings, as clouds.",
                "cleave-grabber");
   app.footer(examples);
+  app.set_version_flag("--version", version_text(CLEAVE_VERSION));
   std::string file;
   std::optional<std::string> source, sensor, unit;
   std::optional<std::uint32_t> fps;

@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   CLI::App app("Renders table-top scenes as a depth camera sees them, with true labels.",
                "cleave-render");
   app.footer(examples);
+  app.set_version_flag("--version", CLEAVE_VERSION);
   Settings settings;
   app.add_option("SCENE", settings.scene, "what to render, as below")->required();
   app.add_option("FOLDER", settings.folder, "where the files go; made if it is not there")

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "idl/topics.hpp"
 #include "segmenter/frame_pipeline.hpp"
 
 namespace cleave::service {
@@ -23,6 +24,7 @@ std::variant<CommandLine, int> parse_command_line(int count, const char* const* 
   CLI::App app("Segments the clouds of depth cameras and publishes label maps and segment lists.",
                "cleave-segmenter");
   app.footer(examples);
+  app.set_version_flag("--version", version_text(CLEAVE_VERSION));
   app.add_option("--config", line.config_file, "YAML file, as config/segmenter.yaml")
       ->required()
       ->type_name("FILE");

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <stdexcept>
+#include <utility>
 
 #include "libcleave/roudi.hpp"
 
@@ -26,9 +27,16 @@ RouDiLock::~RouDiLock() {
   ::close(file_);
 }
 
+RouDi::RouDi() : RouDi(std::string(CLEAVE_SOURCE_DIR) + "/config/roudi.toml") {}
+
+RouDi::RouDi(const std::filesystem::path& pools, std::vector<std::string> starter)
+    : command_(std::move(starter)) {
+  command_.insert(command_.end(), {"/usr/bin/iox-roudi", "-c", pools.string()});
+  start();
+}
+
 void RouDi::start() {
-  process_ = std::make_unique<Process>(std::vector<std::string>{
-      "/usr/bin/iox-roudi", "-c", std::string(CLEAVE_SOURCE_DIR) + "/config/roudi.toml"});
+  process_ = std::make_unique<Process>(command_);
   if (!eventually([] { return roudi_answers(); })) {
     throw std::runtime_error("RouDi does not answer: " + process_->log() + process_->output());
   }

@@ -1,7 +1,10 @@
 // The one RouDi of the machine, for the tests that need shared memory.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "tests/integration/process.hpp"
 
@@ -23,7 +26,9 @@ class RouDiLock {
 // Starts RouDi with our pools and ends it, by its process id, on destruction.
 class RouDi {
  public:
-  RouDi() { start(); }
+  RouDi();
+  // With other pools, or by way of a command that starts it (setpriv, to be another user).
+  explicit RouDi(const std::filesystem::path& pools, std::vector<std::string> starter = {});
 
   void start();
   void kill();  // -9: its socket and segments stay behind, as after a crash
@@ -31,6 +36,7 @@ class RouDi {
 
  private:
   RouDiLock lock_;
+  std::vector<std::string> command_;
   std::unique_ptr<Process> process_;
 };
 
