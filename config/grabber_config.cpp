@@ -9,13 +9,13 @@ constexpr std::uint32_t capacity_points = 640 * 480;  // of DepthCloud
 constexpr std::size_t max_frame_name_length = 63;     // char coordinate_frame[64] in the contract
 constexpr std::string_view frame_suffix = "_optical";
 
-VideoConfig read_video_config(Section& file) {
+VideoConfig read_video_config(Section& file, std::uint32_t decimate) {
   VideoConfig config;
   Section section = file.section("video");
   section.integer("width", config.width, 16, 4096);
   section.integer("height", config.height, 16, 4096);
-  if (config.width * config.height > capacity_points) {
-    section.refuse("height", "at most 307200 (640 x 480) pixels in all");
+  if (config.width / decimate * (config.height / decimate) > capacity_points) {
+    section.refuse("height", "at most 307200 (640 x 480) pixels in all, once decimated");
   }
   section.boolean("registration", config.registration);
   section.boolean("mirror", config.mirror);
@@ -47,10 +47,11 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path) {
   if (!is_unit(config.unit)) file.refuse("unit", "m, cm, mm, or \"\"");
   file.integer("fps", config.fps, 1, 240);
   file.number("max_gap_s", config.max_gap_s, 0, 86'400);
+  file.integer("decimate", config.decimate, 1, 4);
   file.boolean("loop", config.loop);
   read_mode(file, config.mode);
   file.integer("window", config.window, 1, 4);
-  config.video = read_video_config(file);
+  config.video = read_video_config(file, config.decimate);
   config.stream = read_stream_config(file);
   file.finish();
   return config;

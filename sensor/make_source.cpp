@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "recording/ros/file_topic.hpp"
+#include "sensor/decimating_source.hpp"
 #include "sensor/mcap_source.hpp"
 #include "sensor/oni_source.hpp"
 #include "sensor/pcd_source.hpp"
@@ -39,28 +40,39 @@ std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
   return std::make_unique<OpenNi2Source>(std::move(uri), mode);
 }
 
-std::unique_ptr<Source> make_mcap(const std::string& text, const Playback& playback) {
+std::unique_ptr<Source> make_mcap(const std::string& text, const Playback& playback,
+                                  std::uint64_t max_points) {
   const recording::FileTopic from = recording::split_topic(text);
   return std::make_unique<McapSource>(from.file, playback.loop, from.topic, playback.gaps,
-                                      playback.unit);
+                                      playback.unit, max_points);
 }
 
-}  // namespace
-
-std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode, bool loop,
-std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
-                                    const Playback& playback) {
+// With images of so many points as the source has; `max_points` of files.
+std::unique_ptr<Source> make_whole(const std::string& uri, const VideoMode& mode,
+                                   const Playback& playback, std::uint64_t max_points) {
   const std::size_t colon = uri.find(':');
   const std::string scheme = uri.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : uri.substr(colon + 1);
   if (colon != std::string::npos) {
     if (scheme == "openni2") return std::make_unique<OpenNi2Source>(rest, mode);
     if (scheme == "synthetic" && !rest.empty()) return make_synthetic(uri, mode);
-    if (scheme == "pcd" && !rest.empty()) return std::make_unique<PcdSource>(rest, playback.loop, playback.unit);
+    if (scheme == "pcd" && !rest.empty()) {
+      return std::make_unique<PcdSource>(rest, playback.loop, playback.unit, max_points);
+    }
     if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, playback.loop);
-    if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, playback);
+    if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, playback, max_points);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);
+}
+
+}  // namespace
+
+std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
+                                    const Playback& playback, std::uint32_t decimate) {
+  const std::uint64_t max_points = std::uint64_t{decimate} * decimate * capacity_points;
+  std::unique_ptr<Source> source = make_whole(uri, mode, playback, max_points);
+  if (decimate == 1) return source;
+  return std::make_unique<DecimatingSource>(std::move(source), decimate);
 }
 
 }  // namespace cleave::sensor

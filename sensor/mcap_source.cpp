@@ -48,12 +48,14 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 }  // namespace
 
 McapSource::McapSource(const std::filesystem::path& path, bool loop, std::string topic,
-                       recording::GapLimit gaps, std::optional<recording::Unit> unit)
+                       recording::GapLimit gaps, std::optional<recording::Unit> unit,
+                       std::uint64_t max_points)
     : path_(std::filesystem::absolute(path)),
       topic_(std::move(topic)),
       loop_(loop),
       gaps_(gaps),
-      unit_(unit) {}
+      unit_(unit),
+      max_points_(max_points) {}
 
 Failure McapSource::open() {
   held_.reset();
@@ -91,7 +93,7 @@ ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame
     if (result != ReadAhead::Result::frame) return result;
     const recording::FrameHeader& header = ahead.frame.header();
     if (!sensor_.empty() && header.sensor != sensor_) continue;
-    if (header.points() <= capacity_points) return result;
+    if (header.points() <= max_points_) return result;
     if (++unusable_[too_large] > 1) continue;
     spdlog::warn("{}: skipped: {} x {} points, more than the 640 x 480 that the stream carries",
                  path_.string(), header.width, header.height);

@@ -25,7 +25,8 @@ class McapSource : public Source {
   // whose first cloud seems to be in millimetres.
   McapSource(const std::filesystem::path& path, bool loop, std::string topic = "",
              recording::GapLimit gaps = recording::GapLimit(),
-             std::optional<recording::Unit> unit = {});
+             std::optional<recording::Unit> unit = {},
+             std::uint64_t max_points = capacity_points);
 
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
@@ -46,6 +47,7 @@ class McapSource : public Source {
   bool loop_;
   recording::GapLimit gaps_;
   std::optional<recording::Unit> unit_;
+  std::uint64_t max_points_;
   std::string sensor_;
   std::unique_ptr<recording::ReadAhead> reader_;
   std::optional<recording::AheadFrame> held_;  // write_points() writes its points

@@ -6,13 +6,16 @@
 
 #include "recording/pcd/error.hpp"
 #include "recording/units/suspected_unit.hpp"
-#include "sensor/source.hpp"
 
 namespace cleave::sensor {
 
 PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop,
-                     std::optional<recording::Unit> unit, std::size_t cache_bytes)
-    : loop_(loop), unit_(unit), cache_left_bytes_(loop ? cache_bytes : 0) {
+                     std::optional<recording::Unit> unit, std::uint64_t max_points,
+                     std::size_t cache_bytes)
+    : loop_(loop),
+      unit_(unit),
+      max_points_(max_points),
+      cache_left_bytes_(loop ? cache_bytes : 0) {
   for (std::filesystem::path& file : files) files_.push_back({std::move(file), nullptr});
   thread_ = std::thread([this] { run(); });
 }
@@ -79,7 +82,7 @@ std::shared_ptr<const StreamCloud> PcdLoader::load(File& file) {
   };
   auto cloud = std::make_shared<StreamCloud>();
   try {
-    *cloud = recording::read_stream_cloud(file.path, capacity_points, unit_);
+    *cloud = recording::read_stream_cloud(file.path, max_points_, unit_);
   } catch (const recording::PcdError& error) {
     return skip(error.what(), name_of(error.cause()));
   } catch (const recording::WrongUnit& error) {

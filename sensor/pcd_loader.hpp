@@ -14,6 +14,7 @@
 
 #include "recording/pcd/stream_cloud.hpp"
 #include "recording/units/unit.hpp"
+#include "sensor/source.hpp"
 
 namespace cleave::sensor {
 
@@ -33,6 +34,7 @@ class PcdLoader {
   // the log, the first one.
   PcdLoader(std::vector<std::filesystem::path> files, bool loop,
             std::optional<recording::Unit> unit = {},
+            std::uint64_t max_points = capacity_points,
             std::size_t cache_bytes = std::size_t{512} << 20U);
   ~PcdLoader();
   PcdLoader(const PcdLoader&) = delete;
@@ -57,6 +59,7 @@ class PcdLoader {
 
   bool loop_;
   std::optional<recording::Unit> unit_;
+  std::uint64_t max_points_;
   std::size_t cache_left_bytes_;
   std::vector<File> files_;        // of the thread
   bool has_noted_origin_ = false;  // of the thread

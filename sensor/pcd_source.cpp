@@ -25,8 +25,11 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 }  // namespace
 
 PcdSource::PcdSource(const std::filesystem::path& path, bool loop,
-                     std::optional<recording::Unit> unit)
-    : path_(std::filesystem::absolute(path)), loop_(loop), unit_(unit) {}
+                     std::optional<recording::Unit> unit, std::uint64_t max_points)
+    : path_(std::filesystem::absolute(path)),
+      loop_(loop),
+      unit_(unit),
+      max_points_(max_points) {}
 
 Failure PcdSource::open() {
   const recording::PcdFiles found = recording::list_pcd_files(path_);
@@ -37,7 +40,7 @@ Failure PcdSource::open() {
   for (const auto& file : found.others) {
     spdlog::warn("skipped {}: {}: its name does not end in .pcd", file.string(), wrong_extension);
   }
-  loader_ = std::make_unique<PcdLoader>(found.files, loop_, unit_);
+  loader_ = std::make_unique<PcdLoader>(found.files, loop_, unit_, max_points_);
   if (loader_->wait_for_first()) return std::nullopt;
   const std::string skipped = summary(counts().unusable);
   return "looked for *.pcd in " + path_.string() +

@@ -13,7 +13,8 @@ class PcdSource : public Source {
  public:
   // A file, or a folder whose *.pcd files are read in natural order, again and again with `loop`.
   // `unit`: see PcdLoader.
-  PcdSource(const std::filesystem::path& path, bool loop, std::optional<recording::Unit> unit = {});
+  PcdSource(const std::filesystem::path& path, bool loop, std::optional<recording::Unit> unit = {},
+            std::uint64_t max_points = capacity_points);
 
   // Fails when nothing usable is found; says what was looked for.
   [[nodiscard]] Failure open() override;
@@ -27,6 +28,7 @@ class PcdSource : public Source {
   std::filesystem::path path_;
   bool loop_;
   std::optional<recording::Unit> unit_;
+  std::uint64_t max_points_;
   std::uint64_t other_files_ = 0;
   std::unique_ptr<PcdLoader> loader_;
   std::shared_ptr<const StreamCloud> held_;

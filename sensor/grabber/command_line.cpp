@@ -28,6 +28,7 @@ constexpr char examples[] =
     "  cleave-grabber --config grabber.yaml --source oni:table.oni --lossless\n"
     "  cleave-grabber --config grabber.yaml --source pcd:scene.pcd --loop --fps 10\n"
     "  cleave-grabber --config grabber.yaml --source pcd:scans --unit mm\n"
+    "  cleave-grabber --config grabber.yaml --source pcd:d435_848x480 --decimate 2\n"
     "\n"
     "Ends with 0 when it is done, 1 when it failed, 2 for wrong usage or configuration.\n"
     "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_LOG sets the log level (trace to error).\n";
@@ -45,7 +46,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   app.set_version_flag("--version", version_text(CLEAVE_VERSION));
   std::string file;
   std::optional<std::string> source, sensor, unit;
-  std::optional<std::uint32_t> fps;
+  std::optional<std::uint32_t> fps, decimate;
   std::optional<std::uint64_t> frames;
   std::optional<double> max_gap_s;
   bool loop = false, lossless = false, no_shared_memory = false;
@@ -57,6 +58,8 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
       ->check(CLI::IsMember(
           std::vector<std::string>(recording::unit_names.begin(), recording::unit_names.end())));
   app.add_option("--fps", fps, "frames a second")->check(CLI::Range(1, 240));
+  app.add_option("--decimate", decimate, "a block of so many pixels a side becomes one point")
+      ->check(CLI::Range(1, 4));
   app.add_option("--frames", frames, "end after so many published frames")
       ->check(CLI::PositiveNumber);
   app.add_option("--max-gap", max_gap_s, "longest pause between two frames of mcap:, in seconds; 1")
@@ -75,6 +78,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   if (sensor) config.sensor = *sensor;
   if (unit) config.unit = *unit;
   if (fps) config.fps = *fps;
+  if (decimate) config.decimate = *decimate;
   if (max_gap_s) config.max_gap_s = *max_gap_s;
   if (loop) config.loop = true;
   if (lossless) config.mode = config::Mode::lossless;

@@ -24,13 +24,15 @@ struct ConvertOptions {
   std::string input;
   std::string output;
   UnitArgument unit;
+  std::uint32_t decimation = 1;
   LiveOptions sensor;
 };
 
 int run(const ConvertOptions& options) {
   const std::string& sensor = options.sensor.sensor;
   const auto source =
-      open_frame_source(options.input, sensor.empty() ? "camera" : sensor, options.unit.unit());
+      open_frame_source(options.input, sensor.empty() ? "camera" : sensor, options.unit.unit(),
+                        options.decimation);
   const auto sink = open_frame_sink(options.output);
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));
@@ -45,7 +47,7 @@ int run(const ConvertOptions& options) {
     }
     if (terminal) line.show(std::to_string(frames) + " frames");
   }
-  const std::size_t lost_extras = copy_extras(options.input, *sink);
+  const std::size_t lost_extras = copy_extras(mcap_input(options.input).file, *sink);
   sink->close();
   line.erase();
   std::cout << options.output << ": " << frames << " frames";
@@ -73,11 +75,16 @@ void add_convert_command(CLI::App& app, Action& action) {
       ->required();
   add_sensor_option(*command, options->sensor);
   add_unit_option(*command, options->unit);
+  command
+      ->add_option("--decimate", options->decimation,
+                   "a block of so many pixels a side becomes one point: for more than 640 x 480")
+      ->check(CLI::Range(1, 4));
   command->footer(
       "Examples:\n"
       "  cleave convert scenes/ scenes.mcap\n"
       "  cleave convert run.mcap run_pcd/\n"
       "  cleave convert table.oni table.mcap\n"
+      "  cleave convert d435_848x480/ small.mcap --decimate 2\n"
       "  cleave convert 'bag.mcap?topic=/camera/depth/points' table.mcap\n"
       "\n"
       "Of a bag of ROS 2 in MCAP, the clouds (PointCloud2) or depth images (Image and CameraInfo) "

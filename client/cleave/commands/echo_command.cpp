@@ -21,8 +21,6 @@ struct EchoOptions {
   bool json = false;
 };
 
-constexpr std::chrono::milliseconds sensor_patience{10000};
-constexpr std::chrono::milliseconds longest_wait{100};
 
 int run(const EchoOptions& options) {
   Shutdown shutdown;

@@ -93,7 +93,7 @@ int run(const EvaluateOptions& options) {
   return result.skipped() == 0 ? exit_done : exit_failed;
 }
 
-constexpr char examples[] =
+constexpr char evaluate_examples[] =
     "PATH holds PCD files, organised or not, with the field label (uint32, 0 = not counted). Only\n"
     "measured points count; a point that an algorithm leaves without a label counts for its "
     "nearest\n"
@@ -155,7 +155,7 @@ void add_evaluate_command(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json,
                     "one JSON object: weighted_covering.mean, .., milliseconds.median, "
                     "algorithms, per_scene");
-  command->footer(examples);
+  command->footer(evaluate_examples);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -31,9 +31,7 @@ struct HzOptions {
   bool json = false;
 };
 
-constexpr std::chrono::milliseconds sensor_patience{10000};
-constexpr std::chrono::milliseconds longest_wait{100};
-constexpr std::chrono::seconds refresh_interval{1};
+constexpr std::chrono::seconds hz_refresh_interval{1};
 
 std::string text_of(const StreamSummary& summary, double rate_hz) {
   const Percentiles latency_ms = summary.latency_ms();
@@ -80,7 +78,7 @@ StreamSummary measure(Reader<SegmentList>& lists, Shutdown& shutdown, const HzOp
   wait_set.attach(lists);
   StreamSummary summary;
   const Clock::time_point start = Clock::now();
-  Clock::time_point next_line = start + refresh_interval;
+  Clock::time_point next_line = start + hz_refresh_interval;
   while (!shutdown.requested()) {
     (void)wait_set.wait(longest_wait);
     while (const auto list = lists.take()) {
@@ -91,7 +89,7 @@ StreamSummary measure(Reader<SegmentList>& lists, Shutdown& shutdown, const HzOp
     const double elapsed_s = std::chrono::duration<double>(now - start).count();
     if (options.duration_s > 0 && elapsed_s >= options.duration_s) return summary;
     if (now < next_line) continue;
-    next_line = now + refresh_interval;
+    next_line = now + hz_refresh_interval;
     if (!options.json) line.show(text_of(summary, summary.recent_rate_hz()));
   }
   return summary;

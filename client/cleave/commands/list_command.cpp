@@ -27,7 +27,7 @@ struct TopicUse {
   std::vector<std::string> readers;
 };
 
-constexpr std::chrono::milliseconds discovery_time{1000};
+constexpr std::chrono::milliseconds list_discovery_time{1000};
 
 std::map<std::string, TopicUse> by_topic(const std::vector<Endpoint>& endpoints) {
   std::map<std::string, TopicUse> topics;
@@ -63,7 +63,7 @@ void print_json(const std::map<std::string, TopicUse>& topics) {
 
 int run(const ListOptions& options) {
   Stream stream(stream_options(options.live));
-  const auto topics = by_topic(discover(stream, discovery_time));
+  const auto topics = by_topic(discover(stream, list_discovery_time));
   if (options.json) {
     print_json(topics);
   } else if (topics.empty()) {

@@ -1,6 +1,7 @@
 // Options of the commands that join the stream.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,12 @@
 #include "libcleave/stream.hpp"
 
 namespace cleave::client {
+
+// How long a sensor may take to be seen: one that runs, and one that is about to be started.
+inline constexpr std::chrono::seconds sensor_patience{10};
+inline constexpr std::chrono::seconds starting_sensor_patience{30};
+// From one look at what asks to end to the next.
+inline constexpr std::chrono::milliseconds longest_wait{100};
 
 struct LiveOptions {
   std::optional<std::uint32_t> domain = {};

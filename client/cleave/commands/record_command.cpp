@@ -27,8 +27,7 @@ struct RecordOptions {
   std::optional<std::uint64_t> max_size_mb;
 };
 
-constexpr std::chrono::milliseconds sensor_patience{30000};
-constexpr std::chrono::milliseconds refresh_interval{250};
+constexpr std::chrono::milliseconds record_refresh_interval{250};
 constexpr double bytes_per_mb = 1e6;
 
 std::string counts_of(const RecordingState& state, const RecordSession& session) {
@@ -62,7 +61,7 @@ std::string record(RecordSession& session, BackgroundWriter& writer, Shutdown& s
   auto next_line = std::chrono::steady_clock::now();
   return session.run(shutdown, options.duration_s, [&] {
     if (!terminal || std::chrono::steady_clock::now() < next_line) return;
-    next_line += refresh_interval;
+    next_line += record_refresh_interval;
     line.show(progress(writer.state(), session));
   });
 }
@@ -72,7 +71,7 @@ int run(const RecordOptions& options) {
   refuse_existing(options.output);
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
-  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, sensor_patience);
+  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
   BackgroundWriter writer(options.output, limits_of(options));
   RecordSession session(stream, sensor, topics, writer);
   spdlog::info("recording sensor '{}' into {}; Ctrl-C ends", sensor, options.output);

@@ -35,8 +35,8 @@ struct ReplayOptions {
 };
 
 constexpr std::uint32_t lossless_window = 4;
-constexpr std::chrono::milliseconds discovery_time{1000};
-constexpr std::chrono::milliseconds refresh_interval{250};
+constexpr std::chrono::milliseconds replay_discovery_time{1000};
+constexpr std::chrono::milliseconds replay_refresh_interval{250};
 
 std::set<recording::Kind> selected_kinds(const ReplayOptions& options) {
   if (!options.lossless) return kinds_of(options.topics);
@@ -67,7 +67,7 @@ ReplayPlan plan_of(const ReplayOptions& options) {
 // Labels from two sides would contradict each other.
 void refuse_two_segmenters(Stream& stream, const std::set<recording::Kind>& kinds,
                            const std::string& sensor) {
-  for (const Endpoint& endpoint : discover(stream, discovery_time)) {
+  for (const Endpoint& endpoint : discover(stream, replay_discovery_time)) {
     const bool results =
         (kinds.contains(recording::Kind::labels) && endpoint.topic.ends_with("/labels")) ||
         (kinds.contains(recording::Kind::segments) && endpoint.topic.ends_with("/segments"));
@@ -92,7 +92,7 @@ void replay(ReplaySession& session, Shutdown& shutdown) {
   auto next_line = std::chrono::steady_clock::now();
   session.run(shutdown, [&] {
     if (!terminal || std::chrono::steady_clock::now() < next_line) return;
-    next_line += refresh_interval;
+    next_line += replay_refresh_interval;
     line.show(session.published().empty()
                   ? "waiting for a reader"
                   : fmt::format("{:.1f} s{}", session.position_s(), counts_of(session)));

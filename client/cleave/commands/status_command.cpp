@@ -23,7 +23,7 @@ struct StatusOptions {
 };
 
 constexpr std::chrono::milliseconds patience{2000};
-constexpr std::chrono::milliseconds refresh_interval{1000};
+constexpr std::chrono::milliseconds status_refresh_interval{1000};
 constexpr const char* clear_screen = "\x1b[H\x1b[2J";
 
 void print(const std::vector<NodeReport>& reports, const StatusOptions& options) {
@@ -49,7 +49,7 @@ int run(const StatusOptions& options) {
                     stream.options().domain));
   }
   print(reports, options);
-  while (options.watch && !shutdown.wait_for(refresh_interval)) print(statuses.living(), options);
+  while (options.watch && !shutdown.wait_for(status_refresh_interval)) print(statuses.living(), options);
   return exit_done;
 }
 

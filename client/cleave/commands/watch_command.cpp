@@ -28,7 +28,6 @@ struct WatchOptions {
   std::string picture;  // empty = none
 };
 
-constexpr std::chrono::milliseconds sensor_patience{30000};
 
 // A line a frame; on stderr when stdout is kept for the one JSON object.
 WatchEnd follow(WatchSession& session, Shutdown& shutdown, const WatchOptions& options) {
@@ -62,7 +61,7 @@ void print(const WatchSession& session, const WatchOptions& options) {
 int run(const WatchOptions& options) {
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
-  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, sensor_patience);
+  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
   WatchSession session(stream, sensor, !options.picture.empty());
   spdlog::info("watching sensor '{}' on domain {}; Ctrl-C ends", sensor, stream.options().domain);
 

@@ -56,16 +56,18 @@ bool is_recording(const std::string& input) {
 }
 
 std::unique_ptr<FrameSource> open_frame_source(const std::string& input, const std::string& sensor,
-                                               std::optional<recording::Unit> unit) {
-  if (is_mcap(input)) return open_mcap(mcap_input(input), sensor);
+                                               std::optional<recording::Unit> unit,
+                                               std::uint32_t decimation) {
+  if (is_mcap(input)) return decimate(open_mcap(mcap_input(input), sensor), decimation);
   const std::filesystem::path path = input;
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
   }
   if (std::filesystem::is_directory(path) || path.extension() == ".pcd") {
-    return open_pcd(path, sensor, unit);
+    const std::uint64_t most = std::uint64_t{decimation} * decimation * recording::capacity_points;
+    return decimate(open_pcd(path, sensor, unit, most), decimation);
   }
-  if (path.extension() == ".oni") return open_oni(path, sensor);
+  if (path.extension() == ".oni") return decimate(open_oni(path, sensor), decimation);
   throw UsageError(path.string() +
                    ": cannot be converted: name a .mcap file, an .oni file, a .pcd file or a "
                    "folder of .pcd files");

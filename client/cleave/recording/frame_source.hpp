@@ -29,10 +29,12 @@ class FrameSource {
 
 // By the kind of its path: an MCAP file (bag.mcap, bag.mcap?topic=T, mcap:bag.mcap), an .oni file,
 // a PCD file or a folder of them. `sensor` names what has no name of its own, `unit` is that of PCD
-// files: without one, millimetres are refused. Throws UsageError for any other kind,
-// std::runtime_error for what cannot be opened.
+// files: without one, millimetres are refused. With a decimation of 2 and more, a block of so many pixels a side
+// becomes one, and files may have so many more points (recording::Decimator). Throws UsageError for
+// any other kind, std::runtime_error for what cannot be opened.
 [[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(
-    const std::string& input, const std::string& sensor, std::optional<recording::Unit> unit = {});
+    const std::string& input, const std::string& sensor, std::optional<recording::Unit> unit = {},
+    std::uint32_t decimation = 1);
 
 // Whether it is an MCAP or .oni file, by its name.
 [[nodiscard]] bool is_recording(const std::string& input);
@@ -44,7 +46,10 @@ class FrameSource {
                                                      const std::string& sensor);
 [[nodiscard]] std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path,
                                                     const std::string& sensor,
-                                                    std::optional<recording::Unit> unit);
+                                                    std::optional<recording::Unit> unit,
+                                                    std::uint64_t max_points);
+[[nodiscard]] std::unique_ptr<FrameSource> decimate(std::unique_ptr<FrameSource> source,
+                                                    std::uint32_t factor);
 [[nodiscard]] std::unique_ptr<FrameSource> open_oni(const std::filesystem::path& path,
                                                     const std::string& sensor);
 

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "cleave/recording/frame_source.hpp"
-#include "libcleave/types.hpp"
 #include "recording/pcd/error.hpp"
 #include "recording/pcd/folder.hpp"
 #include "recording/pcd/stream_cloud.hpp"
-#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
@@ -21,8 +19,11 @@ constexpr std::int64_t period_ns = 33'333'333;
 class PcdFrames : public FrameSource {
  public:
   PcdFrames(const std::filesystem::path& path, std::string sensor,
-            std::optional<recording::Unit> unit)
-      : files_(recording::pcd_files(path)), sensor_(std::move(sensor)), unit_(unit) {}
+            std::optional<recording::Unit> unit, std::uint64_t max_points)
+      : files_(recording::pcd_files(path)),
+        sensor_(std::move(sensor)),
+        unit_(unit),
+        max_points_(max_points) {}
 
   std::optional<recording::Frame> next() override {
     while (next_ < files_.size()) {
@@ -40,7 +41,7 @@ class PcdFrames : public FrameSource {
 
  private:
   recording::Frame read(const std::filesystem::path& file) {
-    recording::StreamCloud pcd = recording::read_stream_cloud(file, capacity_points, unit_);
+    recording::StreamCloud pcd = recording::read_stream_cloud(file, max_points_, unit_);
     note_origin(file, pcd);
     recording::Cloud cloud;
     cloud.xyz = std::move(pcd.xyz);
@@ -72,6 +73,7 @@ class PcdFrames : public FrameSource {
   std::vector<std::filesystem::path> files_;
   std::string sensor_;
   std::optional<recording::Unit> unit_;
+  std::uint64_t max_points_;
   std::size_t next_ = 0;
   std::uint64_t frames_ = 0;
   std::size_t skipped_ = 0;
@@ -81,8 +83,9 @@ class PcdFrames : public FrameSource {
 }  // namespace
 
 std::unique_ptr<FrameSource> open_pcd(const std::filesystem::path& path, const std::string& sensor,
-                                      std::optional<recording::Unit> unit) {
-  return std::make_unique<PcdFrames>(path, sensor, unit);
+                                      std::optional<recording::Unit> unit,
+                                      std::uint64_t max_points) {
+  return std::make_unique<PcdFrames>(path, sensor, unit, max_points);
 }
 
 }  // namespace cleave::client

@@ -20,6 +20,7 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
   EXPECT_EQ(shipped.unit, defaults.unit);
   EXPECT_EQ(shipped.fps, defaults.fps);
   EXPECT_EQ(shipped.max_gap_s, defaults.max_gap_s);
+  EXPECT_EQ(shipped.decimate, defaults.decimate);
   EXPECT_EQ(shipped.loop, defaults.loop);
   EXPECT_EQ(shipped.mode, defaults.mode);
   EXPECT_EQ(shipped.window, defaults.window);
@@ -34,7 +35,7 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
 
 TEST(GrabberConfig, ReadsEveryKey) {
   const YamlFile yaml(
-      "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\nloop: true\n"
+      "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\ndecimate: 2\nloop: true\n"
       "max_gap_s: 2.5\n"
       "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240, registration: true, mirror: "
       "true}\n"
@@ -45,6 +46,7 @@ TEST(GrabberConfig, ReadsEveryKey) {
   EXPECT_EQ(config.source, "pcd:scenes");
   EXPECT_EQ(config.fps, 10U);
   EXPECT_EQ(config.max_gap_s, 2.5);
+  EXPECT_EQ(config.decimate, 2U);
   EXPECT_TRUE(config.loop);
   EXPECT_EQ(config.mode, Mode::lossless);
   EXPECT_EQ(config.window, 2U);
@@ -73,8 +75,8 @@ TEST(GrabberConfig, RefusesASensorNameThatCannotBePartOfATopic) {
 
 TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
   EXPECT_EQ(grabber_message("video:\n  width: 1280\n  height: 1024\n"),
-            "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, found "
-            "'1024'");
+            "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, once decimated, "
+            "found '1024'");
 }
 
 TEST(GrabberConfig, RefusesADomainOutOfRange) {
