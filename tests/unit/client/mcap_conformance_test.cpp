@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cleave/commands/command_line.hpp"
+#include "cleave/commands/info_command.hpp"
+#include "cleave/commands/recover_command.hpp"
 #include "recording/mcap/reader.hpp"
 #include "temporary_folder.hpp"
 #include "tests/support/data_folder.hpp"
@@ -24,7 +25,8 @@ using nlohmann::json;
 std::string output_of(std::vector<std::string> words) {
   CLI::App app;
   Action action;
-  describe_command_line(app, action);
+  add_info_command(app, action);
+  add_recover_command(app, action);
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   app.parse(words);
   std::ostringstream output;
