@@ -45,8 +45,9 @@ struct Record {
 // Messages, attachments and metadata, in the order of the file.
 std::vector<Record> records_of(const fs::path& list) {
   std::ifstream stream(list);
+  const json listed = json::parse(stream);
   std::vector<Record> records;
-  for (const json& record : json::parse(stream).at("records")) {
+  for (const json& record : listed.at("records")) {
     const auto type = record.at("type").get<std::string>();
     if (type != "Message" && type != "Attachment" && type != "Metadata") continue;
     Record& added = records.emplace_back(Record{type, {}});
@@ -69,7 +70,7 @@ recording::Bytes bytes(const json& field) {
   return bytes;
 }
 
-// The conformance file without its ending; each is followed by what it is about.
+// Their names begin with what they hold; the letters behind are options of their writer.
 std::vector<fs::path> files_of(const std::string& scenario) {
   std::vector<fs::path> files;
   if (const auto folder = tests::find_data("mcap-conformance")) {
