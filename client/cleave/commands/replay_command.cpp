@@ -136,7 +136,7 @@ void add_replay_command(CLI::App& app, Action& action) {
   command->add_flag("--as-fast-as-possible", options->as_fast_as_possible, "without any pause")
       ->excludes(rate);
   command
-      ->add_option("--max-gap", options.max_gap_s,
+      ->add_option("--max-gap", options->max_gap_s,
                    "longest pause between two frames, in seconds of the recording; 1")
       ->check(CLI::Range(0.0, 86'400.0));
   auto* once = command->add_flag("--once", options->once, "end after the last frame: the default");

@@ -1,8 +1,8 @@
 // Fields off a record that stays in its file: only what is asked for is read.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "recording/mcap/input_file.hpp"

@@ -31,12 +31,23 @@ Prefix prefix_of(ByteView bytes) {
   return prefix;
 }
 
-// May a record with this prefix stand at `offset`?
-bool fits(const Prefix& prefix, std::uint64_t offset, std::uint64_t file_bytes) {
-  const auto opcode = static_cast<std::uint8_t>(prefix.opcode);
-  if (opcode >= least_bytes.size() || prefix.length < least_bytes[opcode]) return false;
+bool ends_in_file(const Prefix& prefix, std::uint64_t offset, std::uint64_t file_bytes) {
   const std::uint64_t content = offset + record_prefix_bytes;
   return content <= file_bytes && prefix.length <= file_bytes - content;
+}
+
+// May a record of the format with this prefix stand at `offset`?
+bool fits(const Prefix& prefix, std::uint64_t offset, std::uint64_t file_bytes) {
+  const auto opcode = static_cast<std::uint8_t>(prefix.opcode);
+  return opcode < least_bytes.size() && prefix.length >= least_bytes[opcode] &&
+         ends_in_file(prefix, offset, file_bytes);
+}
+
+// Or one of an application?
+bool may_follow(const Prefix& prefix, std::uint64_t offset, std::uint64_t file_bytes) {
+  return fits(prefix, offset, file_bytes) ||
+         (static_cast<std::uint8_t>(prefix.opcode) >= first_private_opcode &&
+          ends_in_file(prefix, offset, file_bytes));
 }
 
 // The name of a compression is where a chunk has it: nothing else looks like that.
@@ -60,7 +71,7 @@ bool is_followed(const InputFile& file, std::uint64_t offset, int records) {
     }
     if (offset + record_prefix_bytes > file.size()) return false;
     const Prefix prefix = prefix_of(file.read(offset, record_prefix_bytes));
-    if (!fits(prefix, offset, file.size())) return false;
+    if (!may_follow(prefix, offset, file.size())) return false;
     offset += record_prefix_bytes + prefix.length;
   }
   return true;

@@ -44,6 +44,7 @@ TEST(CommandLine, UnderstandsEachCommand) {
   EXPECT_EQ(parse({"record", "--topics", "cloud,labels", "--duration", "5", "out.mcap"}), 0);
   EXPECT_EQ(parse({"replay", "in.mcap", "--rate", "2", "--start", "1", "--end", "3"}), 0);
   EXPECT_EQ(parse({"replay", "in.mcap", "--as-fast-as-possible", "--loop", "--lossless"}), 0);
+  EXPECT_EQ(parse({"replay", "in.mcap", "--max-gap", "0.5"}), 0);
   EXPECT_EQ(parse({"verify", "in.mcap", "--expect", "golden.mcap", "--workers", "4"}), 0);
   EXPECT_EQ(parse({"info", "in.mcap", "--json"}), 0);
   EXPECT_EQ(parse({"recover", "in.mcap", "out.mcap"}), 0);

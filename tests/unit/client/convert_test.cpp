@@ -3,11 +3,14 @@
 #include <limits>
 
 #include "cleave/commands/command.hpp"
+#include "cleave/recording/extras.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/frames/frame_writer.hpp"
+#include "recording/mcap/reader.hpp"
 #include "recording/pcd/writer.hpp"
 #include "temporary_folder.hpp"
+#include "tests/unit/recording/mcap_bytes.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::client {
@@ -90,6 +93,34 @@ TEST_F(Convert, RefusesOtherKindsOfFiles) {
   EXPECT_THROW((void)open_frame_source(folder_.file("a.txt", "text"), "camera"), UsageError);
   EXPECT_THROW((void)open_frame_source(folder_.path() / "absent.pcd", "camera"),
                std::runtime_error);
+}
+
+TEST_F(Convert, KeepsAttachmentsAndMetadataFromRecordingToRecording) {
+  recording::McapBytes file = recording::begun_file();
+  file.attachment("a.txt", "one").metadata("notes").attachment("b.txt", "two").footer();
+  recording::write_all(mcap_, file.bytes());
+  const std::filesystem::path copy = folder_.path() / "copy.mcap";
+  const auto sink = open_frame_sink(copy);
+  EXPECT_EQ(copy_extras(mcap_, *sink), 0U);
+  sink->close();
+  recording::McapReader reader(copy);
+  reader.check_attachments();
+  EXPECT_TRUE(reader.problems().empty());
+  ASSERT_EQ(reader.contents().attachments.size(), 2U);
+  EXPECT_EQ(reader.contents().attachments[1].name, "b.txt");
+  ASSERT_EQ(reader.contents().metadata.size(), 1U);
+  EXPECT_EQ(reader.contents().metadata[0].name, "notes");
+}
+
+TEST_F(Convert, NamesAndLeavesOutAnAttachmentThatIsDamaged) {
+  recording::McapBytes file = recording::begun_file();
+  const std::uint64_t end = file.attachment("a.txt", "one").size();
+  file.footer();
+  recording::Bytes bytes = file.bytes();
+  bytes[end - 5] ^= std::byte{1};
+  recording::write_all(mcap_, bytes);
+  const auto sink = open_frame_sink(pcds_);
+  EXPECT_EQ(copy_extras(mcap_, *sink), 1U);
 }
 
 }  // namespace

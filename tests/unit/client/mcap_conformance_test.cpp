@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cleave/commands/command_line.hpp"
+#include "cleave/commands/info_command.hpp"
+#include "cleave/commands/recover_command.hpp"
 #include "recording/mcap/reader.hpp"
 #include "temporary_folder.hpp"
 #include "tests/support/data_folder.hpp"
@@ -24,7 +25,8 @@ using nlohmann::json;
 std::string output_of(std::vector<std::string> words) {
   CLI::App app;
   Action action;
-  describe_command_line(app, action);
+  add_info_command(app, action);
+  add_recover_command(app, action);
   std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   app.parse(words);
   std::ostringstream output;
@@ -43,8 +45,9 @@ struct Record {
 // Messages, attachments and metadata, in the order of the file.
 std::vector<Record> records_of(const fs::path& list) {
   std::ifstream stream(list);
+  const json listed = json::parse(stream);
   std::vector<Record> records;
-  for (const json& record : json::parse(stream).at("records")) {
+  for (const json& record : listed.at("records")) {
     const auto type = record.at("type").get<std::string>();
     if (type != "Message" && type != "Attachment" && type != "Metadata") continue;
     Record& added = records.emplace_back(Record{type, {}});
@@ -67,7 +70,7 @@ recording::Bytes bytes(const json& field) {
   return bytes;
 }
 
-// The conformance file without its ending; each is followed by what it is about.
+// Their names begin with what they hold; the letters behind are options of their writer.
 std::vector<fs::path> files_of(const std::string& scenario) {
   std::vector<fs::path> files;
   if (const auto folder = tests::find_data("mcap-conformance")) {

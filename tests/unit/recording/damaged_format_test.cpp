@@ -1,6 +1,7 @@
 // Files of other recorders that lie: no crash, no hang, no memory that a size asks for in vain.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <random>
 
 #include "recording/mcap/reader.hpp"

@@ -235,7 +235,6 @@ TEST_F(McapFormat, RepeatsChannelsAtTheEndWhichHelpsWhenTheirChunkIsDamaged) {
   file.chunk(second, 2, 2).data_end();
   const std::uint64_t summary = file.size();
   file.schema().channel().footer(summary);
-  McapBytes damaged;
   Bytes bytes = file.bytes();
   bytes[chunk_end - 1] ^= std::byte{1};
   write_all(file_, bytes);
@@ -307,7 +306,6 @@ TEST_F(McapFormat, LosesTheAttachmentThatIsDamagedAndNothingElse) {
   file.message(1, 1).attachment("a.txt", "one");
   const std::uint64_t end = file.size();
   file.attachment("b.txt", "two").message(2, 2).footer();
-  McapBytes whole = file;
   Bytes bytes = file.bytes();
   bytes[end - sizeof(std::uint32_t) - 1] ^= std::byte{1};
   write_all(file_, bytes);
