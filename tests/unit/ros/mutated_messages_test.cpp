@@ -18,8 +18,8 @@ constexpr Format formats[] = {Format::cdr_le, Format::cdr_be, Format::ros1};
 Bytes mutated(Bytes message, std::mt19937& random) {
   const std::size_t head = std::min<std::size_t>(message.size(), 200);
   for (std::size_t changes = 1 + random() % 4; changes > 0; --changes) {
-    const unsigned value = random() % 2 == 0 ? random() % 10 : random();
-    message[random() % head] = std::byte{static_cast<unsigned char>(value)};
+    const auto value = random() % 2 == 0 ? random() % 10 : random();
+    message[random() % head] = static_cast<std::byte>(value);
   }
   if (random() % 8 == 0) message.resize(random() % message.size());
   return message;

@@ -1,8 +1,11 @@
 // Messages of ROS byte by byte, without a line of the library's own serialisation.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -85,7 +88,7 @@ template <class Number>
 [[nodiscard]] Bytes bytes_of_number(Number value, bool big_endian) {
   const ByteView plain = std::as_bytes(std::span(&value, 1));
   Bytes bytes(plain.begin(), plain.end());
-  if (big_endian) bytes.assign(bytes.rbegin(), bytes.rend());
+  if (big_endian) std::ranges::reverse(bytes);
   return bytes;
 }
 
