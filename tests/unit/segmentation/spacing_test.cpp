@@ -36,7 +36,7 @@ TEST_P(Spacing, OfACloudSetsTheSizeOfVoxels) {
   const float size_m =
       VoxelOptions{}.size_m * growth_of(TableCloud(GetParam()).view(), metric().voxel);
 
-  EXPECT_GE(size_m, 1.2F * GetParam());
+  EXPECT_GE(size_m, 1.0F * GetParam());
   EXPECT_LE(size_m, 2.2F * GetParam());
 }
 
