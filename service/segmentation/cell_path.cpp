@@ -42,16 +42,16 @@ void CellPath::label_points(const Supervoxels& supervoxels,
 CloudSpacing CellPath::spacing() const {
   double points = 0;
   double cells = 0;
-  double depth_m = 0;
+  double inverse_depth = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (!cells_.occupied(i)) continue;
     points += cells_.points[i];
-    depth_m += cells_.z[i];
+    inverse_depth += cells_.inverse_depth[i];
     cells += 1;
   }
   return {.points = static_cast<std::size_t>(points),
           .points_a_cell = points / cells,
-          .cell_m = cells_.pitch * depth_m / cells};
+          .cell_m = cells_.pitch * cells / inverse_depth};
 }
 
 SegmentedPoints CellPath::points() const {

@@ -32,9 +32,9 @@ struct VoxelOptions {
   // Edge of a voxel. With one viewpoint it is measured in (x/z, y/z, ln z), so that voxels grow
   // with the distance as the sampling does (section 2.1.2.1); with several, in metres.
   float size_m = 0.006F;
-  // Where the cloud is not an image and its points are too far apart for voxels of the default size
-  // to hold together, voxels grow until they do, and seeds in proportion, if theirs is the default
-  // as well: see VoxelFitter. A size_m other than the default is kept.
+  // Where points are too far apart for voxels of the default size to hold together, voxels grow
+  // until they do (VoxelFitter), and the defaults of later steps follow (options_for_spacing). What
+  // is set to another value than its default is kept.
   bool follow_spacing = true;
   Viewpoint viewpoint = Viewpoint::automatic;
   Neighbourhood neighbourhood = Neighbourhood::automatic;  // of voxels, not of cells

@@ -100,12 +100,14 @@ void VoxelPath::label_points(const CloudView& cloud, const Supervoxels& supervox
 }
 
 CloudSpacing VoxelPath::spacing() const {
-  double depth_m = 0;
-  for (const Eigen::Vector3f& centroid : grid_.centroid) depth_m += centroid.z();
+  double inverse_depth = 0;
+  for (const Eigen::Vector3f& centroid : grid_.centroid) {
+    inverse_depth += 1 / std::max(double{centroid.z()}, 1e-3);
+  }
   const auto voxels = static_cast<double>(grid_.size());
   return {.points = points_.size(),
           .points_a_cell = static_cast<double>(points_.size()) / voxels,
-          .cell_m = voxel_size_ * (grid_.one_viewpoint ? std::max(depth_m / voxels, 0.0) : 1),
+          .cell_m = voxel_size_ * (grid_.one_viewpoint ? voxels / inverse_depth : 1),
           .growth = growth_};
 }
 

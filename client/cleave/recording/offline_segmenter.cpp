@@ -34,10 +34,10 @@ SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::
   segmentation::Segmentation segmentation;
   const segmentation::CloudView view{
       .xyz = cloud.xyz.data(), .stride = 3, .width = header.width, .height = header.height};
-  result.list.outcome =
-      recording::suspected_unit(cloud.xyz)
-          ? cleave_v1_OUTCOME_REJECTED_WRONG_UNIT
-          : wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
+  result.list.outcome = cleave_v1_OUTCOME_REJECTED_WRONG_UNIT;
+  if (!recording::suspected_unit(cloud.xyz)) {
+    result.list.outcome = wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
+  }
   set_segments(result.list, segmentation);
   return result;
 }

@@ -6,13 +6,14 @@
 namespace cleave::segmentation {
 namespace {
 
-constexpr double cells_a_segment = 16;
-constexpr double cells_a_seed = 2.5;
+constexpr double cells_a_segment = 18;
+constexpr double least_shape = 36;  // points that tell a thing from noise
 constexpr double segments_a_cloud = 50;
+constexpr double cells_a_seed = 2.5;
 
 double least_points(const CloudSpacing& spacing) {
-  double least = CleanUpOptions{}.min_segment_points;
-  if (spacing.growth > 1) least = std::min(least, cells_a_segment * spacing.points_a_cell);
+  const double most = CleanUpOptions{}.min_segment_points;
+  const double least = std::clamp(cells_a_segment * spacing.points_a_cell, least_shape, most);
   return std::min(least, static_cast<double>(spacing.points) / segments_a_cloud);
 }
 

@@ -11,8 +11,8 @@ namespace cleave::segmentation {
 
 // Surfaces hold together if most points lie in voxels with as many occupied neighbours as on a
 // plane. Unless they do, voxels grow, in steps of the square root of 2, until they do: a surface of
-// points s apart gets voxels of 1.3 s to 1.9 s, in metres and in the space of one viewpoint alike.
-// Where no size helps, as with points along a line, the size that was asked for stays.
+// points s apart gets voxels of about 1 s to 2 s, in metres and in the space of one viewpoint
+// alike. Where no size helps, as with points along a line, the size that was asked for stays.
 class VoxelFitter {
  public:
   // Fills `grid` and its `neighbours`, of options.neighbourhood. Returns how many times larger than

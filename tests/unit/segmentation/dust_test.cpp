@@ -43,7 +43,7 @@ TEST(DustSettler, DropsAnIsland) {
 
 TEST(DustSettler, DropsWhatIsTooSmallEvenTogetherAndKeepsWhatIsLargeEnough) {
   EXPECT_EQ(settle({500, 30, 40, 60, 50}, {contact(1, 2), contact(3, 4)}, 100),
-            (Segments{0, dropped, dropped, 4, 4}));
+            (Segments{0, dropped, dropped, 3, 3}));
 }
 
 TEST(DustSettler, DoesNotLetASliverJoinASegmentWithoutPoints) {

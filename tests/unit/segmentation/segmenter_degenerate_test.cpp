@@ -117,7 +117,7 @@ TEST(SegmenterOnDegenerateClouds, TakesPointsAtAndBehindTheSensor) {
   single.voxel.viewpoint = Viewpoint::single;
 
   expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1), 1);
-  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1, single), 1);
+  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1, single), 401);
 }
 
 TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
@@ -156,7 +156,7 @@ TEST(SegmenterOnDegenerateClouds, LabelsNoiseWithoutAnySurface) {
   }
 
   for (const Options& options : {Options{}, thesis()}) {
-    expect_only_finite_points_labelled(xyz, segment(xyz, 200, 100, options));
+    expect_only_finite_points_labelled(xyz, segment(xyz, 200, 100, options), 200);
   }
 }
 

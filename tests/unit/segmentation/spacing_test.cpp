@@ -36,7 +36,7 @@ TEST_P(Spacing, OfACloudSetsTheSizeOfVoxels) {
   const float size_m =
       VoxelOptions{}.size_m * growth_of(TableCloud(GetParam()).view(), metric().voxel);
 
-  EXPECT_GE(size_m, 1.2F * GetParam());
+  EXPECT_GE(size_m, 1.0F * GetParam());
   EXPECT_LE(size_m, 2.2F * GetParam());
 }
 
@@ -78,8 +78,8 @@ TEST(OptionsForSpacing, GrowSeedsWithVoxelsAndShrinkWhatIsSmall) {
   const Options options = options_for_spacing({}, sparse);
 
   EXPECT_FLOAT_EQ(options.supervoxel.seed_spacing_m, 0.05F);
-  EXPECT_EQ(options.clean_up.min_segment_points, 40U) << "16 voxels";
-  EXPECT_EQ(options.clean_up.weak_border_points, 137U);
+  EXPECT_EQ(options.clean_up.min_segment_points, 45U) << "18 voxels";
+  EXPECT_EQ(options.clean_up.weak_border_points, 155U);
 }
 
 TEST(OptionsForSpacing, LeaveDenseCloudsAndChosenValuesAlone) {

@@ -1,5 +1,5 @@
 // Unordered points of a table with three boxes, as a filter of voxels leaves them, in the frame of
-// a robot's base: z up, all of it in front of the origin and above it.
+// a robot's head: x forward, z up, all of it below.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ struct TableCloud {
  private:
   using Vector = std::array<float, 3>;
   void add_rectangle(Vector corner, Vector along, Vector across, int length, int width) {
-    constexpr Vector middle_of_nothing = {90, -60, 60};  // where the table is, in spacings
+    constexpr Vector corner_of_table = {60, 10, -60};  // below a sensor in the origin
     std::uniform_real_distribution<float> jitter(0.25F, 0.75F);
     std::uniform_real_distribution<float> lift(-0.05F, 0.05F);
     for (int i = 0; i < length; ++i) {
@@ -42,8 +42,8 @@ struct TableCloud {
         const float b = static_cast<float>(j) + jitter(random_);
         for (std::size_t k = 0; k < 3; ++k) {
           const float off_plane = along[k] + across[k] == 0 ? lift(random_) : 0;
-          xyz.push_back(spacing_ * (middle_of_nothing[k] + corner[k] + a * along[k] +
-                                    b * across[k] + off_plane));
+          xyz.push_back(spacing_ * (corner_of_table[k] + corner[k] + a * along[k] + b * across[k] +
+                                    off_plane));
         }
       }
     }

@@ -197,7 +197,9 @@ TEST(MakeMetres, ScalesByTheUnitThatIsGivenAndRefusesWhatNeedsOne) {
   EXPECT_NO_THROW(make_metres(xyz, Unit::metre, "scan.pcd"));
   make_metres(xyz, Unit::millimetre, "scan.pcd");
   for (std::size_t i = 0; i < xyz.size(); ++i) {
-    if (std::isfinite(metres[i])) EXPECT_NEAR(xyz[i], metres[i], 1e-6);
+    if (std::isfinite(metres[i])) {
+      EXPECT_NEAR(xyz[i], metres[i], 1e-6);
+    }
   }
 }
 
