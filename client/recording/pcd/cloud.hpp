@@ -38,7 +38,7 @@ class PcdCloud {
   // Its fields are without padding.
   [[nodiscard]] const PcdHeader& header() const { return header_; }
   // x, y, z of every point in the file's order and unit, relative to origin(); what the file says
-  // is no number or 0 0 0 stays that. Lives as long as this.
+  // is no number or 0 0 0 stays that (but see origin()). Lives as long as this.
   [[nodiscard]] std::span<const float> xyz() const { return coordinates_.xyz; }
   // What to add to xyz() for the file's coordinates; 0 0 0 unless these are doubles or large
   // integers far from zero (coordinates.hpp).

@@ -17,7 +17,8 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 
 }  // namespace
 
-PcdInput::PcdInput(std::filesystem::path file) : file_(std::move(file)), line_(longest_line_bytes) {
+PcdInput::PcdInput(std::filesystem::path file)
+    : file_(std::move(file)), line_(std::make_unique_for_overwrite<char[]>(longest_line_bytes)) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file_, error)) {
     refuse(PcdCause::unreadable, error ? "cannot be read: " + error.message() + "; name a PCD file"
@@ -33,8 +34,8 @@ PcdInput::PcdInput(std::filesystem::path file) : file_(std::move(file)), line_(l
 }
 
 void PcdInput::look_at_beginning() {
-  stream_.read(line_.data(), beginning_bytes);
-  const std::string_view head(line_.data(), static_cast<std::size_t>(stream_.gcount()));
+  stream_.read(line_.get(), beginning_bytes);
+  const std::string_view head(line_.get(), static_cast<std::size_t>(stream_.gcount()));
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
     refuse(PcdCause::not_pcd, "is text in UTF-16; save it as ASCII or UTF-8");
   }
@@ -47,12 +48,12 @@ void PcdInput::look_at_beginning() {
 }
 
 bool PcdInput::next_line(std::string_view& line) {
-  stream_.getline(line_.data(), static_cast<std::streamsize>(line_.size()), line_end_);
+  stream_.getline(line_.get(), std::streamsize{longest_line_bytes}, line_end_);
   const auto taken = static_cast<std::size_t>(stream_.gcount());
   if (taken == 0) return false;
   ++line_number_;
   const bool has_end = stream_.good();  // which was taken, too
-  line = {line_.data(), taken - (has_end ? 1 : 0)};
+  line = {line_.get(), taken - (has_end ? 1 : 0)};
   if (!stream_.eof()) stream_.clear();  // after a piece of a line
   return true;
 }

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "recording/pcd/error.hpp"
 
@@ -42,7 +42,7 @@ class PcdInput {
   std::ifstream stream_;
   std::uint64_t size_ = 0;
   char line_end_ = '\n';
-  std::vector<char> line_;
+  std::unique_ptr<char[]> line_;  // room for one
   std::size_t line_number_ = 0;
 };
 

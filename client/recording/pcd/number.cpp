@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
 
 namespace cleave::recording {
@@ -24,25 +23,22 @@ Parsed<Number> parse(std::string_view word) {
   return parsed;
 }
 
-// A number beyond the range of `Number` becomes an infinity, or 0 below it.
-template <class Number>
-std::optional<Number> real(std::string_view word) {
-  const auto parsed = parse<Number>(word);
+// A number beyond the range of double becomes an infinity, or 0 below it.
+std::optional<double> real(std::string_view word) {
+  const auto parsed = parse<double>(word);
   if (parsed.error == std::errc()) return parsed.value;
   if (parsed.error != std::errc::result_out_of_range) return std::nullopt;
   const auto wider = parse<long double>(word);
   if (wider.error != std::errc()) return std::nullopt;
-  constexpr long double largest = std::numeric_limits<Number>::max();
-  if (std::abs(wider.value) <= largest) return static_cast<Number>(wider.value);
-  return wider.value < 0 ? -std::numeric_limits<Number>::infinity()
-                         : std::numeric_limits<Number>::infinity();
+  return static_cast<double>(wider.value);
 }
 
 template <class Number>
 const char* write_real(std::string_view word, std::uint8_t* to) {
-  const std::optional<Number> value = real<Number>(word);
+  const std::optional<double> value = real(word);
   if (!value) return "is no number";
-  std::memcpy(to, &*value, sizeof(Number));
+  const auto rounded = static_cast<Number>(*value);
+  std::memcpy(to, &rounded, sizeof rounded);
   return nullptr;
 }
 
@@ -75,7 +71,7 @@ const char* write_whole(std::string_view word, std::uint32_t bytes, std::uint8_t
   } else if (const auto any = parse<std::int64_t>(word); any.error == std::errc()) {
     whole = Whole{static_cast<std::uint64_t>(any.value), any.value < 0};
   } else {
-    const auto decimal = real<double>(word);
+    const auto decimal = real(word);
     if (!decimal) return "is no number";
     whole = whole_of(*decimal);
     if (!whole) return "is no whole number that it can hold";

@@ -69,6 +69,15 @@ void expect_same_values(const PcdCloud& ours, const pcl::PCLPointCloud2& pcls) {
   }
 }
 
+// False where the points cannot be made smaller, on which PCL gives up.
+bool pcl_packs(const std::filesystem::path& file, const pcl::PCLPointCloud2& cloud) {
+  try {
+    return pcl::PCDWriter().writeBinaryCompressed(file.string(), cloud) == 0;
+  } catch (const pcl::IOException&) {
+    return false;
+  }
+}
+
 class AgainstPcl : public testing::TestWithParam<int> {
  protected:
   AgainstPcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
@@ -83,9 +92,11 @@ class AgainstPcl : public testing::TestWithParam<int> {
     if (kind.type == 'I') text << (static_cast<std::int64_t>(bits) >> shift);
     if (kind.type == 'F') {
       const double value =
-          std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 60) - 60);
+          std::ldexp(static_cast<double>(random()), static_cast<int>(random() % 60) - 60) *
+          (random() % 2 == 0 ? -1 : 1);
       if (random() % 20 == 0) return "nan";
-      text << (random() % 2 == 0 ? -value : value);
+      const auto single = static_cast<float>(value);  // PCL rounds most text twice
+      text << (kind.size == sizeof single ? static_cast<double>(single) : value);
     }
     return text.str();
   }
@@ -135,7 +146,7 @@ TEST_P(AgainstPcl, AFileHoldsTheSameValues) {
     ASSERT_EQ(pcl::PCDWriter().writeBinary(bytes.string(), cloud), 0);
     expect_same_values(PcdCloud::read(bytes), cloud);
     if (HasFatalFailure()) FAIL() << content;
-    if (pcl::PCDWriter().writeBinaryCompressed(packed.string(), cloud) == 0) {
+    if (pcl_packs(packed, cloud)) {
       expect_same_values(PcdCloud::read(packed), cloud);
       if (HasFatalFailure()) FAIL() << content;
     }
