@@ -6,6 +6,7 @@
 #include <random>
 
 #include "segmentation/segmenter.hpp"
+#include "segmentation/view/measured.hpp"
 #include "tests/support/box_scene.hpp"
 
 namespace cleave::segmentation {
@@ -31,14 +32,13 @@ Result segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t
   return result;
 }
 
-void expect_only_finite_points_labelled(const std::vector<float>& xyz, const Result& result) {
+void expect_only_measured_points_labelled(const std::vector<float>& xyz, const Result& result) {
   ASSERT_EQ(result.outcome, Outcome::segmented);
   std::size_t counted = 0;
   for (std::size_t i = 0; i < result.labels.size(); ++i) {
-    const bool finite =
-        std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) && std::isfinite(xyz[3 * i + 2]);
-    EXPECT_EQ(result.labels[i] > 0, finite) << "point " << i;
-    counted += finite ? 1 : 0;
+    const bool measured = is_measured(&xyz[3 * i]);
+    EXPECT_EQ(result.labels[i] > 0, measured) << "point " << i;
+    counted += measured ? 1 : 0;
   }
   for (const Segment& s : result.segmentation.segments) {
     counted -= s.point_count;
@@ -96,7 +96,7 @@ TEST(SegmenterOnDegenerateClouds, MakesIdenticalPointsOneSegment) {
 
   const Result result = segment(xyz, 20, 15);
 
-  expect_only_finite_points_labelled(xyz, result);
+  expect_only_measured_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 1U);
 }
 
@@ -109,8 +109,8 @@ TEST(SegmenterOnDegenerateClouds, TakesPointsAtAndBehindTheSensor) {
   Options single;
   single.voxel.viewpoint = Viewpoint::single;
 
-  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1));
-  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1, single));
+  expect_only_measured_points_labelled(xyz, segment(xyz, 401, 1));
+  expect_only_measured_points_labelled(xyz, segment(xyz, 401, 1, single));
 }
 
 TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
@@ -124,7 +124,7 @@ TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
   for (const Viewpoint viewpoint : {Viewpoint::automatic, Viewpoint::multiple}) {
     for (Options options : {Options{}, thesis()}) {
       options.voxel.viewpoint = viewpoint;
-      expect_only_finite_points_labelled(xyz, segment(xyz, 16, 10, options));
+      expect_only_measured_points_labelled(xyz, segment(xyz, 16, 10, options));
     }
   }
 }
@@ -151,7 +151,7 @@ TEST(SegmenterOnDegenerateClouds, LabelsNoiseWithoutAnySurface) {
   }
 
   for (const Options& options : {Options{}, thesis()}) {
-    expect_only_finite_points_labelled(xyz, segment(xyz, 200, 100, options));
+    expect_only_measured_points_labelled(xyz, segment(xyz, 200, 100, options));
   }
 }
 
@@ -163,7 +163,7 @@ TEST(SegmenterOnDegenerateClouds, LetsTheSmallestOfTooManySegmentsShareALabel) {
 
   const Result result = segment(xyz, 70000, 1);
 
-  expect_only_finite_points_labelled(xyz, result);
+  expect_only_measured_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 65535U);
 }
 
