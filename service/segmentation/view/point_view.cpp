@@ -45,8 +45,9 @@ bool PointViewFinder::is_sampled_from(const View& view, const Sight& sight) cons
 
 Eigen::Vector3d PointViewFinder::likely_place(const Eigen::Vector3d& origin, const Sight& sight) {
   constexpr double some = 0.02;
+  if (points_.size() < few || !(points_.extent_m() > 0)) return origin;
   const double distance = (origin - points_.middle()).norm() / points_.extent_m();
-  if (points_.size() < few || (distance < far && sight.hidden <= some)) return origin;
+  if (distance < far && sight.hidden <= some) return origin;
   const Eigen::Vector3d above =
       points_.middle() + far / 2 * points_.extent_m() * Eigen::Vector3d::UnitZ();
   const bool hides_less = points_.look_from(above).hidden < sight.hidden;

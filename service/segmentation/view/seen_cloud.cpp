@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "segmentation/point_set.hpp"
 #include "segmentation/view/measured.hpp"
 
 namespace cleave::segmentation {
@@ -15,7 +16,10 @@ void copy_point(const float* from, const View& view, float* to) {
   }
   Eigen::Map<Eigen::Vector3f> point(to);
   point = Eigen::Map<const Eigen::Vector3f>(from);
-  if (view.moved) point = (view.axes * (point.cast<double>() - view.centre)).cast<float>();
+  if (!view.moved) return;
+  const Eigen::Vector3d seen = view.axes * (point.cast<double>() - view.centre);
+  constexpr double far_m = max_coordinate_m;
+  point = seen.cwiseMax(-far_m).cwiseMin(far_m).cast<float>();
 }
 
 }  // namespace

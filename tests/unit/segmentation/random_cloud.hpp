@@ -21,7 +21,7 @@ class RandomCloud {
     const bool organised = one_in(3) != 0;
     width_ = size();
     height_ = organised ? size() : 1;
-    if (!organised) width_ *= 16;
+    if (!organised) width_ *= 8;
     make_points();
     place();
     spoil();
@@ -39,7 +39,7 @@ class RandomCloud {
   double uniform(double low, double high) {
     return low + (high - low) * static_cast<double>(random_()) / static_cast<double>(random_.max());
   }
-  std::uint32_t size() { return one_in(8) == 0 ? 1 + one_in(3) : 2 + one_in(60); }
+  std::uint32_t size() { return one_in(8) == 0 ? 1 + one_in(3) : 2 + one_in(36); }
 
   [[nodiscard]] std::size_t count() const { return std::size_t{width_} * height_; }
 
@@ -49,7 +49,7 @@ class RandomCloud {
     const std::uint32_t projection = one_in(4);
     const double pitch = uniform(0.001, 0.05);
     const double tilt = uniform(-2, 2), step = uniform(-0.3, 0.3), noise = uniform(-0.01, 0.01);
-    const auto columns = static_cast<double>(height_ > 1 ? width_ : 1 + width_ / 16);
+    const auto columns = static_cast<double>(height_ > 1 ? width_ : 1 + width_ / 8);
     for (std::size_t i = 0; i < count(); ++i) {
       const double u = pitch * (std::fmod(static_cast<double>(i), columns) - columns / 2);
       const double v = pitch * (std::floor(static_cast<double>(i) / columns) - height_ / 2.0);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "segmentation/segmenter.hpp"
+#include "segmentation/view/measured.hpp"
 #include "tests/support/box_scene.hpp"
 
 namespace cleave::segmentation {
@@ -31,17 +32,16 @@ DegenerateResult segment(const std::vector<float>& xyz, std::uint32_t width, std
   return result;
 }
 
-// Points too few for a segment have no label, even if they are finite: so many in all.
-void expect_only_finite_points_labelled(const std::vector<float>& xyz, const DegenerateResult& result,
-                                        std::size_t dust = 0) {
+// Points too few for a segment have no label, even if they are measured: so many in all.
+void expect_only_measured_points_labelled(const std::vector<float>& xyz,
+                                          const DegenerateResult& result, std::size_t dust = 0) {
   ASSERT_EQ(result.outcome, Outcome::segmented);
   std::size_t measured = 0;
   std::size_t counted = 0;
   for (std::size_t i = 0; i < result.labels.size(); ++i) {
-    const bool finite =
-        std::isfinite(xyz[3 * i]) && std::isfinite(xyz[3 * i + 1]) && std::isfinite(xyz[3 * i + 2]);
-    EXPECT_TRUE(finite || result.labels[i] == 0) << "point " << i;
-    measured += finite ? 1 : 0;
+    const bool is_point = is_measured(&xyz[3 * i]);
+    EXPECT_TRUE(is_point || result.labels[i] == 0) << "point " << i;
+    measured += is_point ? 1 : 0;
     counted += result.labels[i] > 0 ? 1 : 0;
   }
   EXPECT_LE(measured - counted, dust);
@@ -103,7 +103,7 @@ TEST(SegmenterOnDegenerateClouds, MakesIdenticalPointsOneSegment) {
 
   const DegenerateResult result = segment(xyz, 20, 15);
 
-  expect_only_finite_points_labelled(xyz, result);
+  expect_only_measured_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 1U);
 }
 
@@ -116,8 +116,8 @@ TEST(SegmenterOnDegenerateClouds, TakesPointsAtAndBehindTheSensor) {
   Options single;
   single.voxel.viewpoint = Viewpoint::single;
 
-  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1), 1);
-  expect_only_finite_points_labelled(xyz, segment(xyz, 401, 1, single), 401);
+  expect_only_measured_points_labelled(xyz, segment(xyz, 401, 1), 1);
+  expect_only_measured_points_labelled(xyz, segment(xyz, 401, 1, single), 401);
 }
 
 TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
@@ -131,7 +131,7 @@ TEST(SegmenterOnDegenerateClouds, TakesHugeAndDenormalCoordinates) {
   for (const Viewpoint viewpoint : {Viewpoint::automatic, Viewpoint::multiple}) {
     for (Options options : {Options{}, thesis()}) {
       options.voxel.viewpoint = viewpoint;
-      expect_only_finite_points_labelled(xyz, segment(xyz, 16, 10, options), 160);
+      expect_only_measured_points_labelled(xyz, segment(xyz, 16, 10, options), 160);
     }
   }
 }
@@ -156,7 +156,7 @@ TEST(SegmenterOnDegenerateClouds, LabelsNoiseWithoutAnySurface) {
   }
 
   for (const Options& options : {Options{}, thesis()}) {
-    expect_only_finite_points_labelled(xyz, segment(xyz, 200, 100, options), 200);
+    expect_only_measured_points_labelled(xyz, segment(xyz, 200, 100, options), 200);
   }
 }
 

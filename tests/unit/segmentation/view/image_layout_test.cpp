@@ -96,6 +96,7 @@ TEST(ImageLayout, InAnotherFrameAndStorageOrderGetsTheSameSegments) {
 
 // `least`: what a coarser or smaller image may differ along borders.
 void expect_alike(const Scene& whole, const Scene& part, double least) {
+  SCOPED_TRACE(testing::Message() << part.width << " x " << part.height);
   const SegmentedScene result = segmented(whole.view());
   EXPECT_GE(agreement(result.labels, part, segmented(part.view()).labels), least);
   const Scene on_robot = moved(part, camera_on_a_robot());

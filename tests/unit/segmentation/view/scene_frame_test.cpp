@@ -67,7 +67,7 @@ TEST(SceneFrame, IsThatOfTheSegments) {
   const auto other = segmented(moved(scene, pose).view()).segmentation.segments;
 
   ASSERT_EQ(own.size(), other.size());
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < own.size(); ++i) {
     const Eigen::Vector3d centroid = pose * own[i].centroid.cast<double>();
     const Eigen::Vector3d normal = pose.rotation() * own[i].mean_normal.cast<double>();
     EXPECT_LT((other[i].centroid.cast<double>() - centroid).norm(), 0.002);
