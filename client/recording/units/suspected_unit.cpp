@@ -17,7 +17,7 @@ constexpr double nearest_whole = 20;  // where they are whole numbers
 constexpr double most = 0.999;
 constexpr double max_ratio = 2.75;  // tan 70 degrees
 constexpr double alike = 1.15;      // spread of a lens-distorted image's pixels
-constexpr double regular = 1.05;    // spread of a terrain model's
+constexpr double rounded = 1.6;     // the same, of coordinates that are whole numbers
 constexpr double least_step = 0.1;  // from a pixel to the next
 
 struct Point {
@@ -70,7 +70,8 @@ bool may_be_far(std::span<const float> xyz) {
     ++measured;
     if (p.in_view() && p.z > nearest_whole) ++far;
   }
-  return 10 * far > 9 * measured;
+  // Too few were measured where it looked: they may lie elsewhere.
+  return measured < few / 10 || 10 * far > 9 * measured;
 }
 
 struct Image {
@@ -78,7 +79,7 @@ struct Image {
   bool is_camera;
 };
 
-Image image_of(const std::vector<Point>& points, bool all_whole) {
+Image image_of(const std::vector<Point>& points, double max_spread) {
   std::vector<PlanePoint> seen, flat;
   for (const Point& p : points) {
     if (!p.in_view()) continue;
@@ -87,9 +88,8 @@ Image image_of(const std::vector<Point>& points, bool all_whole) {
   }
   const NearestSpacing in_view = nearest_spacing(seen);
   const NearestSpacing on_ground = nearest_spacing(flat);
-  const bool pixels = in_view.spread < alike && in_view.spread - 1 < (on_ground.spread - 1) / 2;
-  return {in_view.median,
-          in_view.median > 0 && (pixels || (all_whole && on_ground.spread > regular))};
+  return {in_view.median, in_view.median > 0 && in_view.spread < max_spread &&
+                              in_view.spread - 1 < (on_ground.spread - 1) / 2};
 }
 
 std::string evidence_of(double depth, double step, bool whole) {
@@ -115,7 +115,7 @@ std::optional<Suspicion> suspected_unit(std::span<const float> xyz) {
   const bool all_whole = whole && share_of(points, [](const Point& p) {
                                     return is_whole(p.x) && is_whole(p.y);
                                   }) > most;
-  const Image image = image_of(points, all_whole);
+  const Image image = image_of(points, all_whole ? rounded : alike);
   const double step = image.pitch * depth_percentile(points, 0.5);
   if (!image.is_camera || step < least_step) return std::nullopt;
   return Suspicion{Unit::millimetre, evidence_of(depth, step, whole)};

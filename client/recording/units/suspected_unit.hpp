@@ -21,9 +21,9 @@ struct Suspicion {
 // same. A camera is what tells: focal length has no unit, and no depth camera sees farther than
 // some ten metres. So a cloud is suspected of millimetres only if all of this holds:
 // - It was seen from the origin: all z > 0, within 70 degrees of the axis, but for a few strays.
-// - It is a camera's image, in whatever order its points are: either in (x/z, y/z) the nearest
-//   neighbours are one pixel apart, all alike, and more alike than in (x, y), where those of a
-//   terrain model are alike; or all three coordinates are whole numbers, and (x, y) no such model.
+// - It is a camera's image, in whatever order its points are: in (x/z, y/z) the nearest
+//   neighbours are one pixel apart, all alike (roughly, where all coordinates were rounded to
+//   whole numbers), and more alike than in (x, y), where those of a terrain model are alike.
 // - The nearest points (1 %) are beyond 100; of 20, if depths are whole numbers, as sensors give
 //   them. Neighbouring pixels are 0.1 and more apart: closer ones at such a distance are a long
 //   lens's.

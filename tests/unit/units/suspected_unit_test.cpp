@@ -69,6 +69,7 @@ TEST(SuspectedUnit, IsToldFromDepthsThatAreWholeNumbersWhereTheyAreNear) {
     const float depth = std::round(near[i + 2]);
     const float factor = depth / near[i + 2];
     for (std::size_t axis = 0; axis < 3; ++axis) near[i + axis] *= factor;
+    near[i + 2] = depth;
   }
 
   EXPECT_TRUE(is_suspected(near));
