@@ -24,7 +24,7 @@ struct GrabberConfig {
   std::string unit;                 // of the points of pcd and mcap: m, cm, mm; empty = not said
   std::uint32_t fps = 30;           // 1 to 240: mode of a camera, pace of recordings
   double max_gap_s = 1;             // 0 to 86400: longest pause between two frames of mcap:
-  std::uint32_t decimate = 1;  // 1 to 4: a block of so many pixels a side becomes one
+  std::uint32_t decimate = 1;       // 1 to 4: a block of so many pixels a side becomes one
   bool loop = false;                // recordings start again at their end
   Mode mode = Mode::live;
   std::uint32_t window = 4;  // 1 to 4 frames in flight in lossless mode

@@ -25,8 +25,7 @@ class McapSource : public Source {
   // whose first cloud seems to be in millimetres.
   McapSource(const std::filesystem::path& path, bool loop, std::string topic = "",
              recording::GapLimit gaps = recording::GapLimit(),
-             std::optional<recording::Unit> unit = {},
-             std::uint64_t max_points = capacity_points);
+             std::optional<recording::Unit> unit = {}, std::uint64_t max_points = capacity_points);
 
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;

@@ -12,10 +12,7 @@ namespace cleave::sensor {
 PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop,
                      std::optional<recording::Unit> unit, std::uint64_t max_points,
                      std::size_t cache_bytes)
-    : loop_(loop),
-      unit_(unit),
-      max_points_(max_points),
-      cache_left_bytes_(loop ? cache_bytes : 0) {
+    : loop_(loop), unit_(unit), max_points_(max_points), cache_left_bytes_(loop ? cache_bytes : 0) {
   for (std::filesystem::path& file : files) files_.push_back({std::move(file), nullptr});
   thread_ = std::thread([this] { run(); });
 }

@@ -30,11 +30,10 @@ class PcdLoader {
   // `unit`: of the files, which are scaled to metres; without one, those that seem to be in
   // millimetres are unusable. Unusable files are named in the log with the reason, counted, and not
   // tried again. With `loop` the files are read over and over, as long as one is usable; as many as
-  // fit into `cache_bytes` stay decoded in memory. A cloud that is relative to an origin is named in
-  // the log, the first one.
+  // fit into `cache_bytes` stay decoded in memory. A cloud that is relative to an origin is named
+  // in the log, the first one.
   PcdLoader(std::vector<std::filesystem::path> files, bool loop,
-            std::optional<recording::Unit> unit = {},
-            std::uint64_t max_points = capacity_points,
+            std::optional<recording::Unit> unit = {}, std::uint64_t max_points = capacity_points,
             std::size_t cache_bytes = std::size_t{512} << 20U);
   ~PcdLoader();
   PcdLoader(const PcdLoader&) = delete;

@@ -26,10 +26,7 @@ std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
 
 PcdSource::PcdSource(const std::filesystem::path& path, bool loop,
                      std::optional<recording::Unit> unit, std::uint64_t max_points)
-    : path_(std::filesystem::absolute(path)),
-      loop_(loop),
-      unit_(unit),
-      max_points_(max_points) {}
+    : path_(std::filesystem::absolute(path)), loop_(loop), unit_(unit), max_points_(max_points) {}
 
 Failure PcdSource::open() {
   const recording::PcdFiles found = recording::list_pcd_files(path_);

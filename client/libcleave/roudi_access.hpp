@@ -23,8 +23,8 @@ struct RouDiPlace {
 [[nodiscard]] bool may_write_to_roudi(const RouDiPlace& place = {});
 
 // Why RouDi's pools cannot carry samples of `bytes`; empty if they can. Joins RouDi, for as long as
-// this process lives: only where nothing is in the way and we may write. A pool that is in use up to its last
-// chunk is no obstacle.
+// this process lives: only where nothing is in the way and we may write. A pool that is in use up
+// to its last chunk is no obstacle.
 [[nodiscard]] std::string obstacle_of_pools(std::uint32_t bytes);
 
 }  // namespace cleave

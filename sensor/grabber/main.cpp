@@ -55,7 +55,8 @@ int run(int argc, char** argv) {
                          config.video.registration, config.video.mirror};
     const Playback playback{config.loop, recording::unit_named(config.unit),
                             recording::GapLimit(config.max_gap_s)};
-    return run(settings, make_source(config.source, mode, playback, config.decimate), options, argv);
+    return run(settings, make_source(config.source, mode, playback, config.decimate), options,
+               argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
     return 2;

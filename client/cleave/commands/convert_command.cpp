@@ -30,9 +30,8 @@ struct ConvertOptions {
 
 int run(const ConvertOptions& options) {
   const std::string& sensor = options.sensor.sensor;
-  const auto source =
-      open_frame_source(options.input, sensor.empty() ? "camera" : sensor, options.unit.unit(),
-                        options.decimation);
+  const auto source = open_frame_source(options.input, sensor.empty() ? "camera" : sensor,
+                                        options.unit.unit(), options.decimation);
   const auto sink = open_frame_sink(options.output);
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));

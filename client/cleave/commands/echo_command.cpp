@@ -21,7 +21,6 @@ struct EchoOptions {
   bool json = false;
 };
 
-
 int run(const EchoOptions& options) {
   Shutdown shutdown;
   Stream stream(stream_options(options.live));

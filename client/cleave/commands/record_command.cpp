@@ -71,7 +71,8 @@ int run(const RecordOptions& options) {
   refuse_existing(options.output);
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
-  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
+  const std::string sensor =
+      find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
   BackgroundWriter writer(options.output, limits_of(options));
   RecordSession session(stream, sensor, topics, writer);
   spdlog::info("recording sensor '{}' into {}; Ctrl-C ends", sensor, options.output);

@@ -25,6 +25,7 @@ struct RecordingToSegment {
 [[nodiscard]] int segment_recording(const RecordingToSegment& recording);
 
 // One frame of a recording, from 1. Throws std::runtime_error where it is not there.
-[[nodiscard]] recording::PcdCloud frame_of_recording(const std::string& input, std::uint64_t number);
+[[nodiscard]] recording::PcdCloud frame_of_recording(const std::string& input,
+                                                     std::uint64_t number);
 
 }  // namespace cleave::client

@@ -49,7 +49,8 @@ int run(const StatusOptions& options) {
                     stream.options().domain));
   }
   print(reports, options);
-  while (options.watch && !shutdown.wait_for(status_refresh_interval)) print(statuses.living(), options);
+  while (options.watch && !shutdown.wait_for(status_refresh_interval))
+    print(statuses.living(), options);
   return exit_done;
 }
 

@@ -28,7 +28,6 @@ struct WatchOptions {
   std::string picture;  // empty = none
 };
 
-
 // A line a frame; on stderr when stdout is kept for the one JSON object.
 WatchEnd follow(WatchSession& session, Shutdown& shutdown, const WatchOptions& options) {
   const int descriptor = options.json ? STDERR_FILENO : STDOUT_FILENO;
@@ -61,7 +60,8 @@ void print(const WatchSession& session, const WatchOptions& options) {
 int run(const WatchOptions& options) {
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
-  const std::string sensor = find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
+  const std::string sensor =
+      find_sensor(stream, shutdown, options.live.sensor, starting_sensor_patience);
   WatchSession session(stream, sensor, !options.picture.empty());
   spdlog::info("watching sensor '{}' on domain {}; Ctrl-C ends", sensor, stream.options().domain);
 

@@ -29,9 +29,9 @@ class FrameSource {
 
 // By the kind of its path: an MCAP file (bag.mcap, bag.mcap?topic=T, mcap:bag.mcap), an .oni file,
 // a PCD file or a folder of them. `sensor` names what has no name of its own, `unit` is that of PCD
-// files: without one, millimetres are refused. With a decimation of 2 and more, a block of so many pixels a side
-// becomes one, and files may have so many more points (recording::Decimator). Throws UsageError for
-// any other kind, std::runtime_error for what cannot be opened.
+// files: without one, millimetres are refused. With a decimation of 2 and more, a block of so many
+// pixels a side becomes one, and files may have so many more points (recording::Decimator). Throws
+// UsageError for any other kind, std::runtime_error for what cannot be opened.
 [[nodiscard]] std::unique_ptr<FrameSource> open_frame_source(
     const std::string& input, const std::string& sensor, std::optional<recording::Unit> unit = {},
     std::uint32_t decimation = 1);

@@ -35,7 +35,8 @@ TEST(GrabberConfig, AsShippedHoldsTheDefaults) {
 
 TEST(GrabberConfig, ReadsEveryKey) {
   const YamlFile yaml(
-      "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\ndecimate: 2\nloop: true\n"
+      "sensor: left_1\ncoordinate_frame: left_lens\nsource: pcd:scenes\nfps: 10\ndecimate: "
+      "2\nloop: true\n"
       "max_gap_s: 2.5\n"
       "mode: lossless\nwindow: 2\nvideo: {width: 320, height: 240, registration: true, mirror: "
       "true}\n"
@@ -74,9 +75,10 @@ TEST(GrabberConfig, RefusesASensorNameThatCannotBePartOfATopic) {
 }
 
 TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
-  EXPECT_EQ(grabber_message("video:\n  width: 1280\n  height: 1024\n"),
-            "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, once decimated, "
-            "found '1024'");
+  EXPECT_EQ(
+      grabber_message("video:\n  width: 1280\n  height: 1024\n"),
+      "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, once decimated, "
+      "found '1024'");
 }
 
 TEST(GrabberConfig, RefusesADomainOutOfRange) {

@@ -117,8 +117,10 @@ TEST(CellImager, RefusesWhatIsNotAnImageFromTheOrigin) {
   EXPECT_FALSE(accepts(unorganised));
 
   DepthScene behind(3);
-  behind.xyz[3 * 5000 + 2] = -1;
-  behind.xyz[3 * 5000] = behind.xyz[3 * 5000 + 1] = 0;
+  for (std::size_t i = 5000; i < 5100; ++i) {
+    behind.xyz[3 * i] = behind.xyz[3 * i + 1] = 0;
+    behind.xyz[3 * i + 2] = -1;
+  }
   EXPECT_FALSE(accepts(behind));
 
   DepthScene mirrored(3);
