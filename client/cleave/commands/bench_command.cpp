@@ -80,7 +80,7 @@ int run_bench(const BenchOptions& options) {
   const std::size_t skipped = measure_all(options, bench);
   const BenchResult& result = bench.result();
   if (options.json) {
-    Json json = json_of(result);
+    Json json = client::json_of(result);
     json.update({{"skipped", skipped},
                  {"repeat", options.repeat},
                  {"grid_offsets", options.grid_offsets},

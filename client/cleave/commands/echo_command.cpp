@@ -35,7 +35,7 @@ int run(const EchoOptions& options) {
     (void)wait_set.wait(longest_wait);
     while (const auto list = lists.take()) {
       if (options.json) {
-        std::cout << one_line(json_of(**list)) << std::endl;
+        std::cout << one_line(client::json_of(**list)) << std::endl;
       } else {
         std::cout << text_of(**list) << std::flush;
       }

@@ -83,7 +83,7 @@ TrialResult evaluate(const EvaluateOptions& options) {
 int run(const EvaluateOptions& options) {
   const TrialResult result = evaluate(options);
   if (options.json) {
-    Json json = json_of(result);
+    Json json = client::json_of(result);
     json["grid_offsets"] = options.grid_offsets;
     std::cout << one_line(json) << '\n';
   } else {

@@ -81,9 +81,9 @@ void print(const Segmentation& result, const PcdCloud& cloud, const SegmentOptio
     return;
   }
   Json segments = Json::array();
-  for (const auto& segment : result.segments) segments.push_back(json_of(segment));
+  for (const auto& segment : result.segments) segments.push_back(client::json_of(segment));
   Json borders = Json::array();
-  for (const auto& border : result.borders) borders.push_back(json_of(border));
+  for (const auto& border : result.borders) borders.push_back(client::json_of(border));
   std::cout << one_line({{"input", options.input},
                          {"output", options.output},
                          {"points", cloud.header().points()},

@@ -29,7 +29,7 @@ constexpr const char* clear_screen = "\x1b[H\x1b[2J";
 void print(const std::vector<NodeReport>& reports, const StatusOptions& options) {
   if (options.json) {
     Json nodes = Json::array();
-    for (const NodeReport& report : reports) nodes.push_back(json_of(report));
+    for (const NodeReport& report : reports) nodes.push_back(client::json_of(report));
     std::cout << one_line({{"nodes", nodes}}) << std::endl;
     return;
   }

@@ -17,8 +17,8 @@ struct LabelledCloud {
   std::uint32_t height = 0;          // 1 = unorganised
   std::vector<float> xyz;            // 3 a point, metres
   std::vector<std::uint32_t> label;  // one a point, 0 = none; empty = the cloud has no labels
-  std::array<double, 3> origin_m = {0, 0, 0};    // as in CloudView
-  std::optional<segmentation::SensorPose> pose;  // as in CloudView
+  std::array<double, 3> origin_m = {0, 0, 0};                   // as in CloudView
+  std::optional<segmentation::SensorPose> pose = std::nullopt;  // as in CloudView
 
   [[nodiscard]] segmentation::CloudView view() const {
     return {xyz.data(), 3, width, height, origin_m, pose};
