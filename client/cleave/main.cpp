@@ -21,7 +21,7 @@ int run(int argc, char** argv) {
   CLI::App app;
   Action action;
   describe_command_line(app, action);
-  app.set_version_flag("--version", version_text(CLEAVE_VERSION));
+  app.set_version_flag("--version", cleave::version_text(CLEAVE_VERSION));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -23,13 +23,13 @@ std::vector<float> image_of(const std::vector<float>& depth, std::uint32_t width
   return xyz;
 }
 
-const Intrinsics camera = {100, 100, 1.5F, .5F};
+const Intrinsics small_camera = {100, 100, 1.5F, .5F};
 
 TEST(Decimation, TakesTheMedianDepthOfABlockOntoTheRayThroughItsMiddle) {
-  const std::vector<float> xyz = image_of({1, 2, 5, 5, 3, 9, 5, 5}, 4, camera);
+  const std::vector<float> xyz = image_of({1, 2, 5, 5, 3, 9, 5, 5}, 4, small_camera);
   Decimator decimator(2);
   std::vector<float> smaller(6);
-  decimator.decimate(xyz.data(), 4, 2, camera, smaller.data());
+  decimator.decimate(xyz.data(), 4, 2, small_camera, smaller.data());
   EXPECT_FLOAT_EQ(smaller[2], 2);  // of 1 2 3 9 the lower one in the middle
   // The middle of the block is at (.5, .5): one pixel left of the principal point, on its row.
   EXPECT_FLOAT_EQ(smaller[0], -1.F / 100 * 2);
@@ -39,10 +39,10 @@ TEST(Decimation, TakesTheMedianDepthOfABlockOntoTheRayThroughItsMiddle) {
 }
 
 TEST(Decimation, LeavesABlockWithoutMeasurementWithoutOneAndPassesOverHoles) {
-  const std::vector<float> xyz = image_of({nan, nan, nan, 4, nan, nan, nan, nan}, 4, camera);
+  const std::vector<float> xyz = image_of({nan, nan, nan, 4, nan, nan, nan, nan}, 4, small_camera);
   Decimator decimator(2);
   std::vector<float> smaller(6);
-  decimator.decimate(xyz.data(), 4, 2, camera, smaller.data());
+  decimator.decimate(xyz.data(), 4, 2, small_camera, smaller.data());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(smaller[static_cast<std::size_t>(i)]));
   EXPECT_FLOAT_EQ(smaller[5], 4);
 }

@@ -9,7 +9,7 @@
 namespace cleave::segmentation {
 namespace {
 
-std::vector<SupervoxelEdge> random_graph(std::uint32_t vertices, unsigned seed) {
+std::vector<SupervoxelEdge> random_supervoxel_graph(std::uint32_t vertices, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(0, 1);
   std::vector<SupervoxelEdge> edges;
@@ -27,7 +27,7 @@ std::vector<SupervoxelEdge> random_graph(std::uint32_t vertices, unsigned seed) 
 }
 
 TEST(GraphCoarsener, KeepsEveryCutOfTheCoarseGraph) {
-  const auto edges = random_graph(200, 1);
+  const auto edges = random_supervoxel_graph(200, 1);
   GraphCoarsener coarsener;
 
   const std::uint32_t vertices = coarsener.coarsen(200, edges, 2);
@@ -53,7 +53,7 @@ TEST(GraphCoarsener, KeepsEveryCutOfTheCoarseGraph) {
 }
 
 TEST(GraphCoarsener, JoinsAtMostTwoInARoundAndOnlySmoothNeighbours) {
-  const auto edges = random_graph(200, 2);
+  const auto edges = random_supervoxel_graph(200, 2);
   GraphCoarsener coarsener;
 
   const std::uint32_t vertices = coarsener.coarsen(200, edges, 1);
@@ -75,7 +75,7 @@ TEST(GraphCoarsener, JoinsAtMostTwoInARoundAndOnlySmoothNeighbours) {
 }
 
 TEST(GraphCoarsener, LeavesTheGraphAsItIsWithoutRounds) {
-  const auto edges = random_graph(50, 3);
+  const auto edges = random_supervoxel_graph(50, 3);
   GraphCoarsener coarsener;
 
   EXPECT_EQ(coarsener.coarsen(50, edges, 0), 50U);

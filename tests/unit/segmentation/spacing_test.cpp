@@ -24,7 +24,7 @@ Segmentation segment(const CloudView& cloud, const Options& options) {
 
 float growth_of(const CloudView& cloud, const VoxelOptions& options) {
   PointSet points;
-  gather_finite_points(cloud, points);
+  gather_measured_points(cloud, points);
   VoxelGrid grid;
   NeighbourLists neighbours;
   return VoxelFitter().voxelise(points, options, grid, neighbours);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "cleave/cloud/pcd_folder.hpp"
 #include "cleave/evaluation/labelled_cloud.hpp"
+#include "recording/pcd/folder.hpp"
 #include "stored_scene.hpp"
 #include "tests/support/box_scene.hpp"
 #include "tests/support/data_folder.hpp"
@@ -51,7 +51,7 @@ TEST(ImageLayout, OfAnyStorageOrderGetsTheSameLabelsInRealScenes) {
   const auto folder = tests::find_data("mosd/learn");
   if (!folder) GTEST_SKIP() << "no recorded scenes; set CLEAVE_DATA";
   constexpr std::size_t every = 9;
-  const auto files = client::pcd_files(*folder);
+  const auto files = recording::pcd_files(*folder);
   for (std::size_t i = 0; i < files.size(); i += every) {
     const evaluation::LabelledCloud cloud = evaluation::load_cloud(files[i]);
     expect_same_labels_in_all_orders(scene_of(cloud.width, cloud.height, cloud.xyz));
