@@ -5,12 +5,10 @@
 #include <cmath>
 #include <span>
 
+#include "segmentation/view/vector_of.hpp"
+
 namespace cleave::segmentation {
 namespace {
-
-Eigen::Vector3d vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
 
 // Which way is down in an image? The image does not tell: it may be stored in any order. Where the
 // camera looks along z, forward or back, as cameras do in their own frames, y is vertical (down, or
@@ -48,7 +46,7 @@ View upright_view(const Camera& camera) {
 std::optional<View> ImageViewFinder::find(const CloudView& cloud) {
   if (!cloud.organised()) return std::nullopt;
   sample_.take(cloud);
-  const Eigen::Vector3d origin = vector(cloud.origin_m);
+  const Eigen::Vector3d origin = vector_of(cloud.origin_m);
   const auto own = origin.isZero(0) ? own_frame_.find(sample_.pixels()) : std::nullopt;
   View in_own_frame;
   in_own_frame.one_viewpoint = true;
@@ -58,7 +56,7 @@ std::optional<View> ImageViewFinder::find(const CloudView& cloud) {
   if (!sample_.pixels().empty()) {
     sample_.find_middle();
     std::array<Eigen::Vector3d, 2> centres = {-origin, -origin};
-    if (cloud.pose) centres[0] += vector(cloud.pose->position_m);
+    if (cloud.pose) centres[0] += vector_of(cloud.pose->position_m);
     const auto tried = std::span(centres).first(cloud.pose ? 2 : 1);
     if (const auto camera = camera_.find(sample_, cloud.width, cloud.height, tried)) {
       return upright_view(*camera);

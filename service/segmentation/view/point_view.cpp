@@ -4,16 +4,13 @@
 #include <algorithm>
 
 #include "segmentation/view/measured.hpp"
+#include "segmentation/view/vector_of.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
 constexpr std::size_t few = 64;  // points: they tell nothing
 constexpr double far = 20;       // extents of the cloud: as if from infinity
-
-Eigen::Vector3d vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
 
 Eigen::Matrix3d axes_of(const SensorPose& pose) {
   const auto& [w, x, y, z] = pose.orientation;
@@ -56,11 +53,11 @@ Eigen::Vector3d PointViewFinder::likely_place(const Eigen::Vector3d& origin, con
 
 View PointViewFinder::find(const CloudView& cloud, Viewpoint viewpoint) {
   points_.take(cloud);
-  const Eigen::Vector3d origin = -vector(cloud.origin_m);
+  const Eigen::Vector3d origin = -vector_of(cloud.origin_m);
   View view;
   view.centre = origin;
   if (cloud.pose) {
-    view.centre += vector(cloud.pose->position_m);
+    view.centre += vector_of(cloud.pose->position_m);
     view.axes = axes_of(*cloud.pose);
   }
   view.one_viewpoint = viewpoint == Viewpoint::single;

@@ -63,7 +63,7 @@ TEST_F(McapSourceFile, PlaysOnAfterTheLongestGapWhenTheRecordingsClockJumps) {
     writer.write({time_ns, recording::depth_cloud(++id)});
   }
   writer.close();
-  McapSource source(file_, false, recording::GapLimit(5));
+  McapSource source(file_, false, "", recording::GapLimit(5));
   ASSERT_FALSE(source.open());
   Frame frame;
   ASSERT_EQ(source.next(seconds(20), frame), Poll::frame);

@@ -47,7 +47,7 @@ TEST(Pacer, BeginsAnewAfterAPauseWithoutABurst) {
 TEST(Backoff, DoublesItsWaitUpToTwoSeconds) {
   Backoff backoff;
   auto now = pacer_start;
-  backoff.pacer_start(now);
+  backoff.start(now);
   for (const int wait_ms : {100, 200, 400, 800, 1600, 2000, 2000}) {
     EXPECT_FALSE(backoff.due(now + milliseconds(wait_ms - 1)));
     now += milliseconds(wait_ms);

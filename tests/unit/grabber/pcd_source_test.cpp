@@ -56,7 +56,7 @@ std::string image(float scale) {
     const float z = scale * (0.7F + 0.01F * v);
     xyz.insert(xyz.end(), {z * (u - 20) / 60, z * (v - 15) / 60, z});
   }
-  return binary_file(xyz, 40, 30);
+  return recording::binary_file(xyz, 40, 30);
 }
 
 TEST(PcdSource, RefusesFilesThatAreSeenToBeInMillimetres) {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "cleave/cloud/pcd_folder.hpp"
 #include "cleave/evaluation/labelled_cloud.hpp"
+#include "recording/pcd/folder.hpp"
 #include "tests/support/box_scene.hpp"
 #include "tests/support/data_folder.hpp"
 
@@ -175,7 +175,7 @@ TEST(SuspectedUnit, OfLabelledScenesIsRight) {
   const auto folder = tests::find_data("mosd/learn");
   if (!folder) GTEST_SKIP() << "mosd/learn is not below CLEAVE_DATA; see the README";
 
-  for (const auto& file : client::pcd_files(*folder)) {
+  for (const auto& file : recording::pcd_files(*folder)) {
     const Points metres = evaluation::load_cloud(file).xyz;
     EXPECT_FALSE(is_suspected(metres)) << file;
     EXPECT_FALSE(is_suspected(scattered(metres))) << file;
