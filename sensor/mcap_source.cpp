@@ -8,6 +8,7 @@
 #include "recording/error.hpp"
 #include "recording/ros/open_frames.hpp"
 #include "recording/units/suspected_unit.hpp"
+#include "sensor/unusable_text.hpp"
 
 namespace cleave::sensor {
 namespace {
@@ -34,15 +35,6 @@ Frame frame_of(const recording::FrameHeader& h) {
   frame.capture_time_ns = h.capture_time_ns;
   frame.device_time_us = h.device_time_us;
   return frame;
-}
-
-// ": 3 damaged, 1 no points"; empty where nothing was lost.
-std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
-  std::string text;
-  for (const auto& [cause, count] : unusable) {
-    text += (text.empty() ? ": " : ", ") + std::to_string(count) + " " + cause;
-  }
-  return text;
 }
 
 }  // namespace
@@ -82,8 +74,9 @@ Failure McapSource::open() {
     return error.what();
   }
   note_problems();
-  return path_.string() + ": holds no cloud that can be played" + summary(counts().unusable) +
-         "; `cleave info` says what it holds";
+  const std::string lost = text_of(counts().unusable);
+  return path_.string() + ": holds no cloud that can be played" +
+         (lost.empty() ? "" : ": " + lost) + "; `cleave info` says what it holds";
 }
 
 // The next frame of the sensor that the stream can carry.
@@ -95,8 +88,10 @@ ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame
     if (!sensor_.empty() && header.sensor != sensor_) continue;
     if (header.points() <= max_points_) return result;
     if (++unusable_[too_large] > 1) continue;
-    spdlog::warn("{}: skipped: {} x {} points, more than the 640 x 480 that the stream carries",
-                 path_.string(), header.width, header.height);
+    spdlog::warn(
+        "{}: skipped: {} x {} points, more than the 640 x 480 that the stream carries; "
+        "--decimate 2 makes four into one",
+        path_.string(), header.width, header.height);
   }
 }
 

@@ -7,20 +7,12 @@
 
 #include "libcleave/types.hpp"
 #include "recording/pcd/folder.hpp"
+#include "sensor/unusable_text.hpp"
 
 namespace cleave::sensor {
 namespace {
 
 constexpr char wrong_extension[] = "wrong extension";
-
-// "3 truncated, 1 wrong extension"
-std::string summary(const std::map<std::string, std::uint64_t>& unusable) {
-  std::string text;
-  for (const auto& [cause, count] : unusable) {
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + cause;
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -39,7 +31,7 @@ Failure PcdSource::open() {
   }
   loader_ = std::make_unique<PcdLoader>(found.files, loop_, unit_, max_points_);
   if (loader_->wait_for_first()) return std::nullopt;
-  const std::string skipped = summary(counts().unusable);
+  const std::string skipped = text_of(counts().unusable);
   return "looked for *.pcd in " + path_.string() +
          " and found no usable point cloud: " + (skipped.empty() ? "there is no file" : skipped) +
          "; name a PCD file, or a folder of them";

@@ -40,9 +40,9 @@ Json json_of(const std::string& file, std::size_t points, const Segmentation& re
   return {{"output", file}, {"points", points}, {"segments", std::move(segments)}};
 }
 
-class Run {
+class RecordingRun {
  public:
-  explicit Run(const RecordingToSegment& recording)
+  explicit RecordingRun(const RecordingToSegment& recording)
       : recording_(recording), segmenter_(recording.options) {}
 
   int run() {
@@ -106,7 +106,7 @@ class Run {
 }  // namespace
 
 int segment_recording(const RecordingToSegment& recording) {
-  return Run(recording).run();
+  return RecordingRun(recording).run();
 }
 
 PcdCloud frame_of_recording(const std::string& input, std::uint64_t number) {

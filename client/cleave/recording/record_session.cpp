@@ -61,7 +61,7 @@ void RecordSession::take(std::optional<Reader<Message>>& reader) {
     if (!first_frame_) first_frame_ = last_frame_;
     if constexpr (std::is_same_v<Message, DepthCloud>) note((*sample)->header);
     try {
-      writer_.offer({wall_now_ns(), frame_of(**sample)});
+      writer_.offer({wall_now_ns(), client::frame_of(**sample)});
     } catch (const recording::DataError& error) {
       spdlog::warn("not recorded: {}", error.what());
     }

@@ -13,7 +13,7 @@ namespace {
 using std::chrono_literals::operator""ms;
 using std::chrono_literals::operator""s;
 
-constexpr auto tick = 50ms;
+constexpr auto replay_tick = 50ms;
 constexpr auto retry = 1ms;  // until a reader gives a chunk of shared memory back
 // A reader that has just been found needs a moment for its other topics.
 constexpr auto settling_time = 500ms;
@@ -30,7 +30,7 @@ ReplaySession::ReplaySession(Stream& stream, ReplayPlan plan)
 void ReplaySession::run(Shutdown& shutdown, const std::function<void()>& on_tick) {
   recording::AheadFrame ahead;
   while (!shutdown.requested()) {
-    const auto result = reader_.next(tick, ahead);
+    const auto result = reader_.next(replay_tick, ahead);
     if (result == recording::ReadAhead::Result::end) break;
     if (result == recording::ReadAhead::Result::frame) publish(ahead, shutdown, on_tick);
     update();
@@ -64,7 +64,7 @@ void ReplaySession::wait_until_due(const recording::AheadFrame& ahead, Shutdown&
     if (const auto jump = clock_.new_jump()) spdlog::warn("{}", *jump);
     if (left <= Clock::duration::zero()) return;
     (void)shutdown.wait_for(std::min(std::chrono::ceil<std::chrono::milliseconds>(left),
-                                     std::chrono::milliseconds(tick)));
+                                     std::chrono::milliseconds(replay_tick)));
     update();
     on_tick();
   }
@@ -85,7 +85,7 @@ void ReplaySession::wait_for_readers(const SensorReplay& sensor, Shutdown& shutd
   while (!shutdown.requested() && Clock::now() < settled) {
     if (!sensor.has_readers()) settled = Clock::time_point::max();
     if (sensor.has_readers()) settled = std::min(settled, Clock::now() + settling_time);
-    (void)shutdown.wait_for(tick);
+    (void)shutdown.wait_for(replay_tick);
     update();
     on_tick();
   }
@@ -118,7 +118,7 @@ void ReplaySession::linger(Shutdown& shutdown) {
     return std::ranges::any_of(sensors_, [](const auto& s) { return s.second.in_flight() > 0; });
   };
   while (!shutdown.requested() && (Clock::now() < end || in_flight())) {
-    (void)shutdown.wait_for(tick);
+    (void)shutdown.wait_for(replay_tick);
     update();
   }
 }

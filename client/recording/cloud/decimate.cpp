@@ -1,17 +1,10 @@
 #include "recording/cloud/decimate.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "recording/cloud/measured.hpp"
 
 namespace cleave::recording {
-namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-}  // namespace
-
 Intrinsics Decimator::intrinsics(const Intrinsics& i) const {
   if (i == Intrinsics{}) return i;
   const auto factor = static_cast<float>(factor_);
@@ -43,7 +36,7 @@ void Decimator::decimate(const float* xyz, std::uint32_t width, std::uint32_t he
       const std::size_t first = std::size_t{v} * factor_ * width + std::size_t{u} * factor_;
       const Candidate* found = median(xyz + 3 * first, width);
       if (found == nullptr) {
-        std::fill_n(smaller, 3, nan);
+        std::fill_n(smaller, 3, no_measurement);
       } else if (pinhole) {
         smaller[0] = (static_cast<float>(u) - target.cx) / target.fx * found->z;
         smaller[1] = (static_cast<float>(v) - target.cy) / target.fy * found->z;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "recording/cloud/measured.hpp"
+
 namespace cleave::recording {
 namespace {
 
@@ -31,7 +33,6 @@ DepthProjection::DepthProjection(std::uint32_t width, std::uint32_t height,
       row_(rays(height, intrinsics.fy, intrinsics.cy)) {}
 
 void DepthProjection::write_points(const DepthRows& image, float* xyz) const {
-  constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
   for (std::uint32_t v = 0; v < image.height; ++v) {
     const std::uint16_t* const depth =
         image.depth + v * (image.stride_bytes / sizeof(std::uint16_t));

@@ -6,7 +6,7 @@
 namespace cleave::recording {
 namespace {
 
-constexpr double tolerance_m = 1e-4;
+constexpr double fit_tolerance_m = 1e-4;
 constexpr std::size_t min_points = 100;
 
 // Least squares of coordinate = a * (pixel * z) + b * z, where a = 1 / f and b = -c / f: linear,
@@ -30,7 +30,7 @@ class AxisFit {
     return a_ > 0;
   }
   [[nodiscard]] bool explains(double pixel, double z, double coordinate) const {
-    return std::abs((a_ * pixel + b_) * z - coordinate) <= tolerance_m;
+    return std::abs((a_ * pixel + b_) * z - coordinate) <= fit_tolerance_m;
   }
   [[nodiscard]] float focal_length() const { return static_cast<float>(1 / a_); }
   [[nodiscard]] float principal_point() const { return static_cast<float>(-b_ / a_); }

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace cleave::recording {
+
+// What all three coordinates are made where nothing was measured.
+inline constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
 
 // Three finite coordinates that are not all 0: for "nothing here", some sensors and formats write
 // NaN, others the origin, where no sensor sees anything. The segmentation, which stands alone, says

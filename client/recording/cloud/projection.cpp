@@ -4,12 +4,12 @@
 
 #include "recording/cloud/decimal_digits.hpp"
 #include "recording/cloud/depth_to_points.hpp"
+#include "recording/cloud/measured.hpp"
 
 namespace cleave::recording {
 namespace {
 
 constexpr float metres_per_mm = 0.001F;
-constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
 
 // i - principal point, in pixels.
 std::vector<float> offsets(std::uint32_t count, float principal_point) {

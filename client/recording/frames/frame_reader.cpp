@@ -9,11 +9,11 @@
 #include "recording/frames/contract_check.hpp"
 #include "recording/frames/label_messages.hpp"
 #include "recording/frames/segment_list_message.hpp"
+#include "recording/time_units.hpp"
 
 namespace cleave::recording {
 namespace {
 
-constexpr double ns_per_s = 1e9;
 constexpr std::string_view prefix = "cleave/";
 // A file that is damaged all over must not fill the memory with what is wrong with it.
 constexpr std::size_t most_problems = 1000;
@@ -35,7 +35,8 @@ std::optional<TopicName> split(std::string_view topic) {
 // Beyond what a double can tell of nanoseconds since 1970, offsets are small and exact.
 std::uint64_t offset_ns(double seconds) {
   constexpr double longest_s = 1e9;
-  return static_cast<std::uint64_t>(std::llround(std::fmin(seconds, longest_s) * ns_per_s));
+  return static_cast<std::uint64_t>(
+      std::llround(std::fmin(seconds, longest_s) * static_cast<double>(ns_per_s)));
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ void FrameReader::begin() {
 }
 
 double FrameReader::duration_s() const {
-  return static_cast<double>(mcap_.end_ns() - mcap_.start_ns()) / ns_per_s;
+  return static_cast<double>(mcap_.end_ns() - mcap_.start_ns()) / static_cast<double>(ns_per_s);
 }
 
 std::vector<std::string> FrameReader::problems() const {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "recording/time_units.hpp"
+
 namespace cleave::recording {
 namespace {
-
-constexpr double ns_per_s = 1e9;
 
 // "11.0 days", "2.5 s".
 std::string readable(double seconds) {
@@ -28,7 +28,8 @@ std::string readable(double seconds) {
 
 }  // namespace
 
-GapLimit::GapLimit(double longest_s) : longest_(std::llround(longest_s * ns_per_s)) {}
+GapLimit::GapLimit(double longest_s)
+    : longest_(std::llround(longest_s * static_cast<double>(ns_per_s))) {}
 
 GapLimit::Gap GapLimit::between(std::int64_t before_ns, std::int64_t after_ns) const {
   if (after_ns < before_ns) return {std::chrono::nanoseconds(0), true};
@@ -40,8 +41,10 @@ GapLimit::Gap GapLimit::between(std::int64_t before_ns, std::int64_t after_ns) c
 }
 
 std::string GapLimit::text_of_jump(std::int64_t before_ns, std::int64_t after_ns) const {
-  const double jump_s = (static_cast<double>(after_ns) - static_cast<double>(before_ns)) / ns_per_s;
-  const double wait_s = static_cast<double>(between(before_ns, after_ns).wait.count()) / ns_per_s;
+  const double jump_s = (static_cast<double>(after_ns) - static_cast<double>(before_ns)) /
+                        static_cast<double>(ns_per_s);
+  const double wait_s = static_cast<double>(between(before_ns, after_ns).wait.count()) /
+                        static_cast<double>(ns_per_s);
   return "the recording's clock goes " + std::string(jump_s < 0 ? "back by " : "on by ") +
          readable(jump_s) + " between two frames; playing on after " + readable(wait_s) +
          " (--max-gap); further gaps are not named";

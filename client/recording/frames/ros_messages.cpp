@@ -6,11 +6,11 @@
 #include <cstring>
 
 #include "recording/cdr/cdr.hpp"
+#include "recording/time_units.hpp"
 
 namespace cleave::recording {
 namespace {
 
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 constexpr char depth_encoding[] = "16UC1";
 constexpr std::uint8_t float32 = 7;  // of PointField
 constexpr std::uint32_t point_step = 3 * sizeof(float);

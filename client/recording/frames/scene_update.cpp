@@ -5,11 +5,10 @@
 #include <string>
 
 #include "recording/cdr/cdr.hpp"
+#include "recording/time_units.hpp"
 
 namespace cleave::recording {
 namespace {
-
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 template <std::size_t size>
 void write_doubles(CdrWriter& cdr, const std::array<float, size>& values) {

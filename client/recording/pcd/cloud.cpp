@@ -18,7 +18,8 @@ void check_size(const PcdInput& input, const PcdHeader& header, std::uint64_t mo
     input.refuse(PcdCause::too_many_points, promise + ", " + std::to_string(header.width) + " x " +
                                                 std::to_string(header.height) + ", where at most " +
                                                 std::to_string(most_points) +
-                                                " fit; crop the cloud, or thin it out");
+                                                " fit; crop the cloud, or thin it out (--decimate "
+                                                "2 makes four points of an image into one)");
   }
   if (header.points() > most_bytes / header.point_bytes()) {
     input.refuse(PcdCause::too_many_points,

@@ -1,7 +1,6 @@
 #include "recording/pcd/stream_cloud.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "recording/cloud/fit_intrinsics.hpp"
 #include "recording/cloud/measured.hpp"
@@ -21,7 +20,7 @@ StreamCloud read_stream_cloud(const std::filesystem::path& file, std::uint64_t m
   for (std::size_t i = 0; i < cloud.xyz.size(); i += 3) {
     float* const p = &cloud.xyz[i];
     if (is_measured(p)) continue;
-    std::fill_n(p, 3, std::numeric_limits<float>::quiet_NaN());
+    std::fill_n(p, 3, no_measurement);
   }
   make_metres(cloud.xyz, unit, file.string());
   for (double& coordinate : cloud.origin) {

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "recording/cdr/byte_order.hpp"
+#include "recording/cloud/measured.hpp"
 #include "recording/ros/unusable.hpp"
 
 namespace cleave::recording::ros {
 namespace {
 
-constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
 constexpr float metres_per_mm = 0.001F;
 
 bool is_in_millimetres(const Image& image) {

@@ -1,9 +1,9 @@
 #include "recording/ros/messages.hpp"
 
+#include "recording/time_units.hpp"
+
 namespace cleave::recording::ros {
 namespace {
-
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 Header read_header(CdrReader& message) {
   if (message.is_ros1()) (void)message.number<std::uint32_t>();  // seq

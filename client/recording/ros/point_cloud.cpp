@@ -13,8 +13,6 @@
 namespace cleave::recording::ros {
 namespace {
 
-constexpr float no_measurement = std::numeric_limits<float>::quiet_NaN();
-
 // Of PointField.
 enum Datatype : std::uint8_t {
   int8 = 1,

@@ -154,7 +154,7 @@ TEST(PcdSource, NamesAFolderThatPosesAsAFileAndPassesOverOthers) {
 TEST(PcdLoader, ReadsFilesAnewThatDoNotFitIntoItsMemory) {
   const TestFolder folder;
   const auto file = folder.write("1.pcd", cloud_at(1));
-  PcdLoader loader({file}, true, {}, 0);
+  PcdLoader loader({file}, true, {}, capacity_points, 0);
   LoadedCloud first{}, second{};
   ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::cloud);
   ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::cloud);

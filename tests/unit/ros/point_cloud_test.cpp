@@ -99,11 +99,10 @@ TEST(PointCloud2, KeepsNegativeAndFractionalCoordinates) {
   EXPECT_EQ(points(cloud), (std::vector<float>{-1, -1, -1}));
 }
 
-TEST(PointCloud2, TakesEveryPointThatIsNotFiniteAsNoMeasurement) {
+TEST(PointCloud2, TakesEveryPointThatIsNotFiniteOr000AsNoMeasurement) {
   constexpr float inf = std::numeric_limits<float>::infinity();
   const std::vector<float> xyz = points(cloud_of({1, 2, inf, NAN, 1, 2, 0, 0, 0}, 3, 1));
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(std::isnan(xyz[i])) << i;
-  EXPECT_EQ(xyz[6], 0.0F) << "what 0 0 0 means is for the segmentation to say";
+  for (std::size_t i = 0; i < xyz.size(); ++i) EXPECT_TRUE(std::isnan(xyz[i])) << i;
 }
 
 TEST(PointCloud2, TakesADoubleBeyondAFloatAsNoMeasurement) {

@@ -24,7 +24,11 @@ TEST(CellPath, IsNotTakenForCloudsFromSeveralViewpoints) {
 
 TEST(CellPath, LeavesOtherCloudsToTheVoxels) {
   DepthScene scene(12);
-  for (std::size_t i = 0; i < scene.xyz.size(); i += 3) scene.xyz[i] = -scene.xyz[i];
+  // Seen in parallel rays, as no camera does.
+  for (std::size_t pixel = 0; pixel < scene.xyz.size() / 3; ++pixel) {
+    scene.xyz[3 * pixel] = 0.002F * static_cast<float>(pixel % scene.width);
+    scene.xyz[3 * pixel + 1] = 0.002F * static_cast<float>(pixel / scene.width);
+  }
   Segmenter cells = segmenter_for(Representation::cells);
   Segmenter voxels = segmenter_for(Representation::voxels);
 
