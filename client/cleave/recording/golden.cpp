@@ -10,8 +10,6 @@
 namespace cleave::client {
 namespace {
 
-using recording::Segment;
-using recording::SegmentList;
 using Lines = std::vector<std::string>;
 
 constexpr double mm_per_m = 1000;
@@ -50,8 +48,8 @@ double distance_m(const std::array<float, 3>& a, const std::array<float, 3>& b) 
                     double{a[2]} - double{b[2]});
 }
 
-void compare_segment(const Segment& expected, const Segment& found, std::uint64_t frame_points,
-                     const Tolerances& tolerances, Lines& lines) {
+void compare_segment(const recording::Segment& expected, const recording::Segment& found,
+                     std::uint64_t frame_points, const Tolerances& tolerances, Lines& lines) {
   const std::string name = fmt::format("segment {}: ", expected.label);
   const std::size_t before = lines.size();
   const double counts =
@@ -74,7 +72,7 @@ void compare_segment(const Segment& expected, const Segment& found, std::uint64_
   lines.push_back(name + "its normal, box's orientation, rectangle or planarity differs");
 }
 
-void compare_lists(const SegmentList& expected, const SegmentList& found,
+void compare_lists(const recording::SegmentList& expected, const recording::SegmentList& found,
                    const Tolerances& tolerances, Lines& lines) {
   if (expected.outcome != found.outcome) {
     lines.push_back(fmt::format("outcome: {}, expected {}", found.outcome, expected.outcome));
