@@ -52,6 +52,7 @@ double share_of(const std::vector<Point>& points, Predicate&& predicate) {
 
 double depth_percentile(const std::vector<Point>& points, double share) {
   std::vector<float> depth;
+  depth.reserve(points.size());
   for (const Point& p : points) depth.push_back(p.z);
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(depth.size() - 1));
   std::nth_element(depth.begin(), depth.begin() + at, depth.end());
