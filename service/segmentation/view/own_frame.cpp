@@ -11,7 +11,7 @@ constexpr double most = 0.98;         // of the pixels
 constexpr double nearly_all = 0.995;  // of the points are in front
 constexpr double hit_px = 1;
 constexpr double max_lean = 0.2;  // of the image's axes against x and y, tangent
-constexpr std::size_t min_pixels = 12;
+constexpr std::size_t min_fit_pixels = 12;
 
 }  // namespace
 
@@ -74,14 +74,14 @@ std::optional<OwnFrame> OwnFrameFinder::find(const std::vector<SampledPixel>& pi
     all_.push_back(
         {{p.column, p.row}, {slope(p.point.x(), p.point.z()), slope(p.point.y(), p.point.z())}});
   }
-  if (all_.size() < min_pixels ||
+  if (all_.size() < min_fit_pixels ||
       static_cast<double>(all_.size()) < nearly_all * static_cast<double>(pixels.size())) {
     return std::nullopt;
   }
   kept_ = all_;
   double share = 0;
   for (int round = 0; round < rounds; ++round) {
-    if (kept_.size() < min_pixels || !fit()) return std::nullopt;
+    if (kept_.size() < min_fit_pixels || !fit()) return std::nullopt;
     share = share_hit();
     if (share >= most) break;
     drop_strays();
