@@ -104,9 +104,9 @@ std::optional<Camera> CameraFinder::fit(const Pixels& part, const Pixels& all,
     const Camera camera = fit_from(part, centre);
     if (is_sound(camera, true)) return camera;
   }
-  const std::optional<Camera> anywhere = fit_anywhere(part);
+  std::optional<Camera> anywhere = fit_anywhere(part);
   if (anywhere && is_sound(*anywhere, true)) return anywhere;
-  const std::optional<Camera> of_plane = fit_to_plane(part);
+  std::optional<Camera> of_plane = fit_to_plane(part);
   if (of_plane && is_sound(*of_plane, true)) return of_plane;
   if (anywhere && !of_plane && is_sound(*anywhere, false)) return anywhere;
   return std::nullopt;
