@@ -33,7 +33,8 @@ bool is_frame_name(const std::string& name) {
 
 }  // namespace
 
-GrabberConfig load_grabber_config(const std::filesystem::path& path) {
+GrabberConfig load_grabber_config(const std::filesystem::path& path,
+                                  std::optional<std::uint32_t> decimate) {
   GrabberConfig config;
   Section file = Section::load(path);
   file.text("sensor", config.sensor);
@@ -48,6 +49,7 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path) {
   file.integer("fps", config.fps, 1, 240);
   file.number("max_gap_s", config.max_gap_s, 0, 86'400);
   file.integer("decimate", config.decimate, 1, 4);
+  if (decimate) config.decimate = *decimate;
   file.boolean("loop", config.loop);
   read_mode(file, config.mode);
   file.integer("window", config.window, 1, 4);

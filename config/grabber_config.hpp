@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "config/stream_config.hpp"
@@ -11,7 +12,7 @@ namespace cleave::config {
 
 // What is asked of a camera, with the fps below.
 struct VideoConfig {
-  std::uint32_t width = 640;   // pixels; width * height at most 640 * 480
+  std::uint32_t width = 640;   // pixels; at most 640 * 480 in all once decimated
   std::uint32_t height = 480;  // pixels
   bool registration = false;   // depth as the camera's colour sensor would see it
   bool mirror = false;         // left and right swapped
@@ -32,8 +33,9 @@ struct GrabberConfig {
   StreamConfig stream;
 };
 
-// Throws ConfigurationError.
-[[nodiscard]] GrabberConfig load_grabber_config(const std::filesystem::path& file);
+// `decimate` is taken instead of the file's. Throws ConfigurationError.
+[[nodiscard]] GrabberConfig load_grabber_config(const std::filesystem::path& file,
+                                                std::optional<std::uint32_t> decimate = {});
 
 // The frame that the points are in, with the default filled in.
 [[nodiscard]] std::string coordinate_frame_of(const GrabberConfig& config);

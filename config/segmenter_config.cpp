@@ -31,6 +31,7 @@ SegmenterConfig read_segmenter_config(Section& file) {
   file.integer("workers", config.workers, 0, max_workers);
   file.integer("queue", config.queue, 1, 8);
   read_mode(file, config.mode);
+  file.boolean("check_unit", config.check_unit);
   config.stream = read_stream_config(file);
   return config;
 }

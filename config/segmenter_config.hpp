@@ -16,6 +16,7 @@ struct SegmenterConfig {
   std::uint32_t workers = 0;  // 1 to 6 frames of a sensor at a time; 0 = cores less one
   std::uint32_t queue = 2;    // 1 to 8 frames that may wait for a worker
   Mode mode = Mode::live;
+  bool check_unit = true;  // reject clouds that seem to be in millimetres
   StreamConfig stream;
 };
 

@@ -72,13 +72,12 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  Settings settings{config::load_grabber_config(file), frames};
+  Settings settings{config::load_grabber_config(file, decimate), frames};
   config::GrabberConfig& config = settings.config;
   if (source) config.source = *source;
   if (sensor) config.sensor = *sensor;
   if (unit) config.unit = *unit;
   if (fps) config.fps = *fps;
-  if (decimate) config.decimate = *decimate;
   if (max_gap_s) config.max_gap_s = *max_gap_s;
   if (loop) config.loop = true;
   if (lossless) config.mode = config::Mode::lossless;

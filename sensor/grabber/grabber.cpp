@@ -124,6 +124,7 @@ void Grabber::take_frame() {
 
 void Grabber::handle(const Frame& frame) {
   if (!has_readers()) return book_.dropped("no reader");
+  if (std::uint64_t{frame.width} * frame.height > capacity_points) return drop_too_large(frame);
   const Publication result = publish(frame);
   if (result == Publication::refused) book_.dropped("refused by DDS");
   if (result == Publication::no_free_chunk) {
@@ -135,6 +136,18 @@ void Grabber::handle(const Frame& frame) {
   }
   if (options_.max_frames && book_.published_count() >= *options_.max_frames) {
     supervisor_.set_state(NodeState::ended);
+  }
+}
+
+// Whatever a source promised: its points would be written behind the end of the published memory.
+void Grabber::drop_too_large(const Frame& frame) {
+  book_.dropped("too many points");
+  if (std::uint64_t suppressed = 0; log_limiter_.allow(suppressed)) {
+    spdlog::warn(
+        "dropped a frame: {} x {} points, more than the {} that the stream carries{} ({} "
+        "more before)",
+        frame.width, frame.height, capacity_points,
+        frame.height > 1 ? "; --decimate makes an image smaller" : "", suppressed);
   }
 }
 

@@ -58,6 +58,7 @@ class Grabber {
   std::chrono::milliseconds until_next(Clock::time_point now);
   void take_frame();
   void handle(const Frame& frame);
+  void drop_too_large(const Frame& frame);
   [[nodiscard]] Publication publish(const Frame& frame);
   void linger(std::chrono::milliseconds at_most);
   [[nodiscard]] bool ended() const { return supervisor_.state() == NodeState::ended; }

@@ -21,7 +21,8 @@ Daemon::Daemon(const DaemonSettings& settings) : stream_(settings.stream), statu
 
 void Daemon::start(const DaemonSettings& settings, const std::string& sensor) {
   pipelines_.push_back(std::make_unique<SensorPipeline>(
-      stream_, PipelineSettings{sensor, settings.mode, settings.queue_capacity},
+      stream_,
+      PipelineSettings{sensor, settings.mode, settings.queue_capacity, settings.check_unit},
       warm_segmenters(settings.segmentation, settings.workers)));
   spdlog::info("ready: segmenting sensor '{}' with {} worker{}, {} ({})", sensor, settings.workers,
                settings.workers == 1 ? "" : "s", to_string(stream_.transport()),

@@ -23,6 +23,7 @@ struct DaemonSettings {
   std::vector<std::string> sensors;
   std::size_t workers = 1;  // a sensor
   std::size_t queue_capacity = 2;
+  bool check_unit = true;
   Mode mode = Mode::live;
   segmentation::Options segmentation;
 };

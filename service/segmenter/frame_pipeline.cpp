@@ -101,16 +101,20 @@ std::optional<RejectCause> FramePipeline::segment_into(FinishedFrame& finished, 
                                                        const SegmentFunction& segment) {
   const segmentation::CloudView cloud{frame.cloud->xyz, 3, frame.header.width, frame.header.height};
   const std::span<std::uint16_t> labels(finished.labels->map().label, cloud.size());
-  if (const auto suspicion = recording::suspected_unit({cloud.xyz, 3 * cloud.size()})) {
-    report(frame, "rejected",
-           fmt::format("its points seem to be in {}: {}; the contract has metres, "
-                       "cleave-grabber --unit scales files",
-                       recording::plural_of(suspicion->unit), suspicion->evidence));
-    return RejectCause::wrong_unit;
-  }
+  if (settings_.check_unit && has_wrong_unit(frame, cloud)) return RejectCause::wrong_unit;
   const auto rejected = reject_cause(segment(cloud, labels, finished.segmentation));
   if (!rejected) advise(segmentation::doubt_about(finished.segmentation));
   return rejected;
+}
+
+bool FramePipeline::has_wrong_unit(const Frame& frame, const segmentation::CloudView& cloud) {
+  const auto suspicion = recording::suspected_unit({cloud.xyz, 3 * cloud.size()});
+  if (!suspicion) return false;
+  report(frame, "rejected",
+         fmt::format("its points seem to be in {}: {}; cleave-grabber --unit mm scales files; if "
+                     "they are metres, set check_unit: false in segmenter.yaml",
+                     recording::plural_of(suspicion->unit), suspicion->evidence));
+  return true;
 }
 
 void FramePipeline::advise(segmentation::Doubt doubt) {

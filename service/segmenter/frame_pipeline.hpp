@@ -35,6 +35,7 @@ struct PipelineSettings {
   std::string sensor;
   Mode mode = Mode::live;
   std::size_t queue_capacity = 2;
+  bool check_unit = true;  // reject clouds that seem to be in millimetres
 };
 
 class FramePipeline {
@@ -67,6 +68,7 @@ class FramePipeline {
   void process(FrameQueue<Frame>::Taken taken, const SegmentFunction& segment);
   [[nodiscard]] std::optional<RejectCause> segment_into(FinishedFrame& finished, const Frame& frame,
                                                         const SegmentFunction& segment);
+  [[nodiscard]] bool has_wrong_unit(const Frame& frame, const segmentation::CloudView& cloud);
   void drop(const Frame& frame, DropCause cause);
   void report(const Frame& frame, std::string_view fate, std::string_view why);
   // Once: a sensor whose clouds are sparse sends many of them.

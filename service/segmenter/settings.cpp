@@ -52,6 +52,7 @@ DaemonSettings read_settings(const CommandLine& line) {
   const bool lossless = line.lossless || config.mode == config::Mode::lossless;
   settings.mode = lossless ? Mode::lossless : Mode::live;
   settings.queue_capacity = lossless ? lossless_queue : config.queue;
+  settings.check_unit = config.check_unit;
   settings.stream =
       with_environment({config.stream.domain, config.stream.shared_memory && !line.no_shared_memory,
                         config.stream.public_interface});

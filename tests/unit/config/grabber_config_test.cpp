@@ -81,6 +81,15 @@ TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
       "found '1024'");
 }
 
+TEST(GrabberConfig, TakesAnImageThatDecimationMakesSmallEnoughWhoeverAsksForIt) {
+  const YamlFile large("video: {width: 848, height: 480}\n");
+  EXPECT_EQ(load_grabber_config(large.path(), 2).decimate, 2U);
+  EXPECT_THROW((void)load_grabber_config(large.path()), ConfigurationError);
+  const YamlFile decimated("decimate: 2\nvideo: {width: 848, height: 480}\n");
+  EXPECT_EQ(load_grabber_config(decimated.path()).decimate, 2U);
+  EXPECT_THROW((void)load_grabber_config(decimated.path(), 1), ConfigurationError);
+}
+
 TEST(GrabberConfig, RefusesADomainOutOfRange) {
   EXPECT_EQ(grabber_message("stream:\n  domain: 100\n"),
             "file:2: stream.domain: expected a whole number from 0 to 99, found '100'");

@@ -23,6 +23,7 @@ TEST(SegmenterConfig, AsShippedHoldsTheDefaults) {
   EXPECT_EQ(shipped.workers, defaults.workers);
   EXPECT_EQ(shipped.queue, defaults.queue);
   EXPECT_EQ(shipped.mode, defaults.mode);
+  EXPECT_EQ(shipped.check_unit, defaults.check_unit);
   EXPECT_EQ(shipped.stream.domain, defaults.stream.domain);
   EXPECT_EQ(shipped.stream.shared_memory, defaults.stream.shared_memory);
   EXPECT_EQ(shipped.stream.public_interface, defaults.stream.public_interface);

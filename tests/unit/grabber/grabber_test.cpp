@@ -125,6 +125,19 @@ TEST_F(GrabberLoop, DropsAndCountsTheFramesOfACameraThatNobodyWatches) {
   EXPECT_EQ(status.dropped_by_cause.at("no reader"), 7U);
 }
 
+TEST_F(GrabberLoop, NeverWritesMorePointsThanACloudHoldsWhateverTheSourceHas) {
+  for (const std::optional<std::uint32_t> window : {std::optional<std::uint32_t>{}, {4U}}) {
+    script({Event::frame, Event::frame_too_large, Event::frame});
+    be_segmenter();
+    auto grabber = start(window);
+    EXPECT_EQ(receive(grabber, 2).size(), 2U);
+    EXPECT_EQ(grabber.get(), Ending::done);
+    const NodeReport status = last_status();
+    EXPECT_EQ(status.frames_in, 3U);
+    EXPECT_EQ(status.dropped_by_cause.at("too many points"), 1U);
+  }
+}
+
 TEST_F(GrabberLoop, EndsAfterAsManyFramesAsItWasAskedFor) {
   script(std::vector<Event>(100, Event::frame));
   be_segmenter();

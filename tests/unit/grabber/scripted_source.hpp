@@ -12,9 +12,10 @@ namespace cleave::sensor {
 
 class ScriptedSource : public Source {
  public:
-  enum class Event { frame, frame_of_new_epoch, lost };
+  enum class Event { frame, frame_of_new_epoch, frame_too_large, lost };
 
-  // Plays the events in order, then ends. The n-th frame has one point, (n, 0, 1).
+  // Plays the events in order, then ends. The n-th frame has one point, (n, 0, 1); one that
+  // is too large has one more than a cloud holds, and may not be asked for them.
   ScriptedSource(std::vector<Event> events, bool realtime)
       : events_(std::move(events)), realtime_(realtime) {}
 
@@ -37,6 +38,7 @@ class ScriptedSource : public Source {
   std::vector<Event> events_;
   bool realtime_;
   std::size_t next_ = 0;
+  bool too_large_ = false;
   float frames_ = 0;
 };
 

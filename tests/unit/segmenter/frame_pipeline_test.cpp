@@ -113,20 +113,35 @@ TEST(FramePipeline, RejectsACloudWithoutAFinitePointAndPublishesNoLabelsForIt) {
   EXPECT_EQ(pipeline.counts().rejected_total(), 1U);
 }
 
-TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
-  FakeSink sink;
-  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, random_workers(1));
-  const auto millimetres = cloud(2);
-  millimetres->header.width = 40;
-  millimetres->header.height = 30;
+// As a camera that measures millimetres sees a slope.
+std::shared_ptr<DepthCloud> slope_in_millimetres(std::uint64_t id) {
+  auto slope = cloud(id);
+  slope->header.width = 40;
+  slope->header.height = 30;
   for (std::size_t i = 0; i < 40 * 30; ++i) {
     const auto u = static_cast<float>(i % 40), v = static_cast<float>(i / 40);
     const float z = 700 + 10 * v;
     const float point[] = {z * (u - 20) / 60, z * (v - 15) / 60, z};
-    std::copy_n(point, 3, millimetres->xyz + 3 * i);
+    std::copy_n(point, 3, slope->xyz + 3 * i);
   }
+  return slope;
+}
 
-  for (const auto& frame : {cloud(1), millimetres}) pipeline.accept(frame, false);
+TEST(FramePipeline, SegmentsWhatLooksLikeMillimetresIfItIsToldNotToCheck) {
+  FakeSink sink;
+  FramePipeline pipeline({"camera", Mode::lossless, 8, false}, sink, random_workers(1));
+  pipeline.accept(slope_in_millimetres(1), false);
+  pipeline.drain();
+
+  ASSERT_EQ(sink.lists.size(), 1U);
+  EXPECT_EQ(sink.lists[0].outcome, cleave_v1_OUTCOME_SEGMENTED);
+}
+
+TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
+  FakeSink sink;
+  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, random_workers(1));
+
+  for (const auto& frame : {cloud(1), slope_in_millimetres(2)}) pipeline.accept(frame, false);
   pipeline.drain();
 
   ASSERT_EQ(sink.lists.size(), 2U);
