@@ -90,7 +90,7 @@ RawWriter::RawWriter(Stream& stream, const Topic& topic, WriterDepth depth)
   if (topic.domain == Domain::bulk && stream.transport() == Transport::shared_memory &&
       !s.zero_copy) {
     throw std::runtime_error("cannot loan shared memory for " + topic.name +
-                             ": DDS refuses it for " + "this type or quality of service");
+                             ": DDS refuses it for this type or quality of service");
   }
 }
 

@@ -1,21 +1,16 @@
 #include "libcleave/roudi.hpp"
 
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
-#include <unistd.h>
 
-#include <cstring>
+#include "libcleave/roudi_access.hpp"
 
 namespace cleave {
 namespace {
 
-constexpr char socket_path[] = "/tmp/roudi";  // compiled into iceoryx 2
-
 // Tells one RouDi's socket file from the next one's; 0 if there is none.
 std::uint64_t socket_identity() {
   struct stat status {};
-  if (::stat(socket_path, &status) != 0) return 0;
+  if (::stat(RouDiPlace{}.socket.c_str(), &status) != 0) return 0;
   const auto seconds = static_cast<std::uint64_t>(status.st_ctim.tv_sec);
   const auto nanoseconds = static_cast<std::uint64_t>(status.st_ctim.tv_nsec);
   return (status.st_ino << 32U) ^ (seconds * 1'000'000'000U + nanoseconds);
@@ -24,15 +19,7 @@ std::uint64_t socket_identity() {
 }  // namespace
 
 bool roudi_answers() {
-  const int fd = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (fd < 0) return false;
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  std::memcpy(address.sun_path, socket_path, sizeof socket_path);
-  const bool answers =
-      ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  ::close(fd);
-  return answers;
+  return connection_error(RouDiPlace{}.socket) == 0;
 }
 
 RouDiWatch::RouDiWatch() : identity_(socket_identity()) {}

@@ -46,21 +46,6 @@ bool allows(const std::filesystem::path& file, int access) {
   return ::faccessat(AT_FDCWD, file.c_str(), access, AT_EACCESS) == 0;
 }
 
-// 0, or what connect() says.
-int connection_error(const std::filesystem::path& socket) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (socket.native().size() >= sizeof address.sun_path) return ENAMETOOLONG;
-  std::memcpy(address.sun_path, socket.c_str(), socket.native().size() + 1);
-  const int fd = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (fd < 0) return errno;
-  const bool connected =
-      ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  const int error = connected ? 0 : errno;
-  ::close(fd);
-  return error;
-}
-
 std::string no_roudi(const RouDiPlace& place) {
   const std::string what = "no RouDi answers at " + place.socket.string();
   struct statvfs room {};
@@ -116,6 +101,20 @@ bool has_segment(const RouDiPlace& place) {
 }
 
 }  // namespace
+
+int connection_error(const std::filesystem::path& socket) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (socket.native().size() >= sizeof address.sun_path) return ENAMETOOLONG;
+  std::memcpy(address.sun_path, socket.c_str(), socket.native().size() + 1);
+  const int fd = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (fd < 0) return errno;
+  const bool connected =
+      ::connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  const int error = connected ? 0 : errno;
+  ::close(fd);
+  return error;
+}
 
 bool may_write_to_roudi(const RouDiPlace& place) {
   const std::vector<gid_t> groups = groups_of(::geteuid(), ::getegid());

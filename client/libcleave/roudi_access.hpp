@@ -13,6 +13,9 @@ struct RouDiPlace {
   std::filesystem::path memory = "/dev/shm";
 };
 
+// Of RouDi's socket: 0, or what connect() says. Never blocks.
+[[nodiscard]] int connection_error(const std::filesystem::path& socket);
+
 // Why this process cannot join RouDi, "what is: what to do" in one line; empty if it can. Looks at
 // files and their rights alone, so it neither blocks nor aborts as joining in vain does. Knows: no
 // RouDi (or no room for one), a RouDi of another user, a socket or memory without rights.
