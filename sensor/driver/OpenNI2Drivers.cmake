@@ -4,7 +4,7 @@
 set(CLEAVE_OPENNI2_DIR "${PROJECT_BINARY_DIR}/openni2")
 set(CLEAVE_OPENNI2_DRIVER_DIR "${CLEAVE_OPENNI2_DIR}/OpenNI2/Drivers")
 
-file(REAL_PATH "${OPENNI2_LIBRARY}" openni2_library)
+file(REAL_PATH "${openni2_LIBRARY}" openni2_library)
 cmake_path(GET openni2_library PARENT_PATH openni2_system_dir)
 file(MAKE_DIRECTORY "${CLEAVE_OPENNI2_DRIVER_DIR}")
 file(CREATE_LINK "${openni2_library}" "${CLEAVE_OPENNI2_DIR}/libOpenNI2.so.0" SYMBOLIC)
