@@ -21,9 +21,12 @@ class VoxelFitter {
                  NeighbourLists& neighbours);
 
  private:
+  // As voxelise(), where voxels may grow; `neighbours` are all 26.
+  [[nodiscard]] float grow(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid,
+                           NeighbourLists& neighbours);
   // Whether surfaces hold together with voxels `growth` times as large.
-  bool holds_together(const PointSet& points, const VoxelOptions& options, float growth,
-                      VoxelGrid& grid, NeighbourLists& neighbours);
+  [[nodiscard]] bool holds_together(const PointSet& points, const VoxelOptions& options,
+                                    float growth, VoxelGrid& grid, NeighbourLists& neighbours);
 
   Voxeliser voxeliser_;
 };

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "segmentation/result_check.hpp"
 #include "segmentation/segmenter.hpp"
 #include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/spacing/voxel_fitter.hpp"
+#include "segmentation/voxel_neighbours.hpp"
 #include "table_cloud.hpp"
 
 namespace cleave::segmentation {
@@ -71,6 +75,41 @@ TEST(VoxelFitter, KeepsTheSizeWherePointsMakeNoSurface) {
 
   EXPECT_EQ(growth_of({line.data(), 3, 1000, 1}, metric().voxel), 1);
 }
+
+// Growth is a power of 2 where the last step of the search was one too many, or that by the root.
+bool is_power_of_two(float growth) {
+  int exponent = 0;
+  return std::frexp(growth, &exponent) == 0.5F;
+}
+
+class FittedNeighbours : public testing::TestWithParam<Neighbourhood> {};
+
+TEST_P(FittedNeighbours, AreThoseThatWereAskedForWhateverTheSizeOfVoxels) {
+  std::set<bool> met;
+  for (const float spacing : {0.002F, 0.007F, 0.01F, 0.02F, 0.05F, 0.3F}) {
+    for (const bool follows : {true, false}) {
+      VoxelOptions options = metric().voxel;
+      options.neighbourhood = GetParam();
+      options.follow_spacing = follows;
+      PointSet points;
+      gather_measured_points(TableCloud(spacing).view(), points);
+      VoxelGrid grid;
+      NeighbourLists neighbours, expected;
+
+      const float growth = VoxelFitter().voxelise(points, options, grid, neighbours);
+
+      find_voxel_neighbours(grid, GetParam(), expected);
+      EXPECT_EQ(neighbours.begin, expected.begin) << spacing;
+      EXPECT_EQ(neighbours.neighbour, expected.neighbour) << spacing;
+      if (growth > 1) met.insert(is_power_of_two(growth));
+    }
+  }
+  EXPECT_EQ(met.size(), 2U) << "a spacing for either end of the search";
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryKind, FittedNeighbours,
+                         testing::Values(Neighbourhood::automatic, Neighbourhood::faces,
+                                         Neighbourhood::edges, Neighbourhood::corners));
 
 TEST(OptionsForSpacing, GrowSeedsWithVoxelsAndShrinkWhatIsSmall) {
   const CloudSpacing sparse{.points = 16000, .points_a_cell = 2.5, .growth = 2};
