@@ -10,6 +10,7 @@ namespace cleave::recording {
 namespace {
 
 constexpr std::size_t queries = 1000;
+constexpr std::uint32_t crowded = 5000;  // points in three buckets
 
 double percentile(std::vector<double>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -32,14 +33,16 @@ class Buckets {
     }
   }
 
-  // Infinite if there is none in the buckets around.
+  // Infinite if there is none in the buckets around, or too many to look at.
   [[nodiscard]] double nearest_to(const PlanePoint& p) const {
-    double least = std::numeric_limits<double>::infinity();
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double least = none;
     const std::size_t column = place(p.x, low_.x, columns_);
     const std::size_t row = place(p.y, low_.y, rows_);
     for (std::size_t r = row - std::min<std::size_t>(row, 1); r <= row + 1 && r < rows_; ++r) {
       const std::size_t first = r * columns_ + column - std::min<std::size_t>(column, 1);
       const std::size_t last = r * columns_ + std::min(column + 1, columns_ - 1);
+      if (begin_[last + 1] - begin_[first] > crowded) return none;
       for (std::uint32_t k = begin_[first]; k < begin_[last + 1]; ++k) {
         const double dx = double{points_[order_[k]].x} - double{p.x};
         const double dy = double{points_[order_[k]].y} - double{p.y};

@@ -54,6 +54,13 @@ TEST(NearestSpacing, IsNotMisledByAPointFarAway) {
   EXPECT_EQ(nearest_spacing(points).median, 0.25);
 }
 
+TEST(NearestSpacing, DoesNotComparePointsOfACrowdWithEachOther) {
+  std::vector<PlanePoint> points = grid(50, 0.25F);
+  points.insert(points.end(), 300000, {7, 7});  // a sensor that has a depth for "nothing here"
+
+  EXPECT_EQ(nearest_spacing(points).median, 0);
+}
+
 TEST(NearestSpacing, OfNoneOneAndEqualPointsIsNone) {
   EXPECT_EQ(nearest_spacing({}).median, 0);
   EXPECT_EQ(nearest_spacing({{1, 1}}).median, 0);

@@ -75,6 +75,19 @@ TEST(SuspectedUnit, IsToldFromDepthsThatAreWholeNumbersWhereTheyAreNear) {
   EXPECT_TRUE(is_suspected(near));
 }
 
+TEST(SuspectedUnit, OfACameraIsMillimetresHoweverUnevenItsPointsLieInSpace) {
+  // Half of the pixels on a part before the camera, half on a wall: a thousand times as dense.
+  Points xyz;
+  for (int i = 0; i < 640 * 480; ++i) {
+    const float u = static_cast<float>(i % 640 - 320) / 525;
+    const float v = static_cast<float>(i / 640 - 240) / 525;
+    const float z = i / 640 < 240 ? 300 : 10000;
+    xyz.insert(xyz.end(), {u * z, v * z, z});
+  }
+
+  EXPECT_TRUE(is_suspected(xyz));
+}
+
 TEST(SuspectedUnit, IsNotMisledByWhatWasNotMeasured) {
   Points xyz = scaled(tests::render_touching_boxes().xyz, 1000);
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
