@@ -24,10 +24,11 @@ class ProjectiveFit {
   void add(const Vector& from, const Eigen::Vector2d& to) {
     all_.push_back({from.normalized(), to, true});
   }
-  [[nodiscard]] bool enough() const { return all_.size() >= 4 * N; }
 
-  // Least squares, three times over: what is far off the last map does not count for the next.
+  // Least squares, three times over: what is far off the last map does not count for the next. Zero
+  // if nothing was added.
   [[nodiscard]] Matrix solve() {
+    if (all_.empty()) return Matrix::Zero();
     constexpr int rounds = 3;
     Matrix map = solve_once();
     for (int round = 1; round < rounds; ++round) {

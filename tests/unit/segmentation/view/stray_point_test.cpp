@@ -44,5 +44,22 @@ TEST(StrayPoint, MayBeOneInAThousand) {
   expect_no_harm_of({0, 0, -1}, 18);  // of 18,800
 }
 
+TEST(StrayPoint, MayLieWhereTheSensorStandsInHalfOfTheImage) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  constexpr Point sensor = {0.5F, 0.25F, 0.125F};
+  DepthScene scene(3);
+  for (std::uint32_t row = 0; row < scene.height; ++row) {
+    for (std::uint32_t column = 0; column < scene.width / 2; ++column) {
+      float* p = &scene.xyz[3 * (std::size_t{row} * scene.width + column)];
+      std::copy(sensor.begin(), sensor.end(), p);
+      if (row < 20) std::fill_n(p, 3, nan);
+    }
+  }
+  CloudView view = scene.view();
+  view.pose = SensorPose{.position_m = {sensor[0], sensor[1], sensor[2]}};
+
+  EXPECT_FALSE(segmented(view).segmentation.segments.empty());
+}
+
 }  // namespace
 }  // namespace cleave::segmentation
