@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segmentation/view/middle.hpp"
+
 namespace cleave::segmentation {
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "segmentation/view/measured.hpp"
-#include "segmentation/view/pixel_sample.hpp"
+#include "segmentation/view/middle.hpp"
 
 namespace cleave::segmentation {
 namespace {

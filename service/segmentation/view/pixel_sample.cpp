@@ -9,15 +9,8 @@ namespace {
 
 constexpr std::uint32_t lines = 32;
 constexpr std::size_t enough = 256;  // pixels
-constexpr double far_m = 1e9;        // no product of what follows overflows
 
 }  // namespace
-
-double median_of(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 void PixelSample::take(const CloudView& cloud, std::uint32_t wanted) {
   const std::uint32_t columns = std::min(wanted, cloud.width);
@@ -35,7 +28,7 @@ void PixelSample::take(const CloudView& cloud, std::uint32_t wanted) {
       const float* p = cloud.point(std::size_t{row} * cloud.width + column);
       if (!is_measured(p)) continue;
       pixels_.push_back(
-          {.point = Eigen::Vector3d(p[0], p[1], p[2]).cwiseMax(-far_m).cwiseMin(far_m),
+          {.point = Eigen::Vector3d(p[0], p[1], p[2]).cwiseMax(-farthest_m).cwiseMin(farthest_m),
            .column = static_cast<double>(column),
            .row = static_cast<double>(row),
            .line = line,
@@ -50,16 +43,9 @@ void PixelSample::take(const CloudView& cloud) {
 }
 
 void PixelSample::find_middle() {
-  if (pixels_.empty()) return;
-  values_.resize(pixels_.size());
-  const auto median = [this](auto&& value_of) {
-    std::transform(pixels_.begin(), pixels_.end(), values_.begin(), value_of);
-    return median_of(values_);
-  };
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    middle_[axis] = median([axis](const SampledPixel& p) { return p.point[axis]; });
-  }
-  extent_m_ = median([this](const SampledPixel& p) { return (p.point - middle_).norm(); });
+  points_.clear();
+  for (const SampledPixel& pixel : pixels_) points_.push_back(pixel.point);
+  middle_ = middle_finder_.find(points_);
 }
 
 }  // namespace cleave::segmentation

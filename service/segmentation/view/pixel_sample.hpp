@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "segmentation/cloud_view.hpp"
+#include "segmentation/view/middle.hpp"
 
 namespace cleave::segmentation {
 
@@ -24,22 +25,18 @@ class PixelSample {
   void take(const CloudView& cloud);
   [[nodiscard]] const std::vector<SampledPixel>& pixels() const { return pixels_; }
 
-  // For what follows, once a sample is taken; it may not be empty.
+  // For what follows, once a sample is taken.
   void find_middle();
-  // Of each coordinate the median, and the median distance from there: strays do not count.
-  [[nodiscard]] const Eigen::Vector3d& middle() const { return middle_; }
-  [[nodiscard]] double extent_m() const { return extent_m_; }
+  [[nodiscard]] const Eigen::Vector3d& middle() const { return middle_.place; }
+  [[nodiscard]] double extent_m() const { return middle_.extent_m; }
 
  private:
   void take(const CloudView& cloud, std::uint32_t lines);
 
   std::vector<SampledPixel> pixels_;
-  std::vector<double> values_;
-  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
-  double extent_m_ = 0;
+  std::vector<Eigen::Vector3d> points_;  // of the pixels
+  MiddleFinder middle_finder_;
+  Middle middle_;
 };
-
-// Where half of the values are less; reorders them. Not empty.
-[[nodiscard]] double median_of(std::vector<double>& values);
 
 }  // namespace cleave::segmentation

@@ -44,11 +44,13 @@ Eigen::Vector3d PointViewFinder::likely_place(const Eigen::Vector3d& origin, con
   constexpr double some = 0.02;
   if (points_.size() < few || !(points_.extent_m() > 0)) return origin;
   const double distance = (origin - points_.middle()).norm() / points_.extent_m();
-  if (distance < far && sight.hidden <= some) return origin;
   const Eigen::Vector3d above =
       points_.middle() + far / 2 * points_.extent_m() * Eigen::Vector3d::UnitZ();
-  const bool hides_less = points_.look_from(above).hidden < sight.hidden;
-  return hides_less || !(distance < far) ? above : origin;
+  if (!(distance < far)) return above;
+  const double hidden = points_.share_hidden(origin, sight.spacing_rad);
+  if (hidden <= some) return origin;
+  const double spacing_rad = points_.look_from(above).spacing_rad;
+  return points_.share_hidden(above, spacing_rad) < hidden ? above : origin;
 }
 
 View PointViewFinder::find(const CloudView& cloud, Viewpoint viewpoint) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "segmentation/view/pixel_sample.hpp"
+#include "segmentation/view/middle.hpp"
 
 namespace cleave::segmentation {
 

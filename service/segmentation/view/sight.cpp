@@ -6,7 +6,6 @@
 
 #include "segmentation/multiversion.hpp"
 #include "segmentation/view/measured.hpp"
-#include "segmentation/view/pixel_sample.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -57,37 +56,26 @@ double quartile_ratio(std::vector<double>& values) {
 void SightedPoints::find_middle(const CloudView& cloud) {
   constexpr std::size_t some = 1000;
   sample_.clear();
-  for (std::size_t k = 0, n = std::min(some, cloud.size()); k < n; ++k) {
-    const std::size_t i = (2 * k + 1) * cloud.size() / (2 * n);
-    if (is_measured(cloud.point(i))) sample_.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (std::size_t i = 0; i < cloud.size() && sample_.empty(); ++i) {
-    if (is_measured(cloud.point(i))) sample_.push_back(static_cast<std::uint32_t>(i));
-  }
-  if (sample_.empty()) return;
-  const auto median = [this](auto&& value_of) {
-    values_.clear();
-    for (const std::uint32_t i : sample_) values_.push_back(value_of(i));
-    return median_of(values_);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    middle_[axis] = median([&](std::uint32_t i) { return double{cloud.point(i)[axis]}; });
-  }
-  extent_m_ = median([&](std::uint32_t i) {
+  const auto add_measured = [&](std::size_t i) {
     const float* p = cloud.point(i);
-    return (Eigen::Vector3d(p[0], p[1], p[2]) - middle_).norm();
-  });
+    if (is_measured(p)) sample_.emplace_back(p[0], p[1], p[2]);
+  };
+  for (std::size_t k = 0, n = std::min(some, cloud.size()); k < n; ++k) {
+    add_measured((2 * k + 1) * cloud.size() / (2 * n));
+  }
+  for (std::size_t i = 0; i < cloud.size() && sample_.empty(); ++i) add_measured(i);
+  middle_ = middle_finder_.find(sample_);
 }
 
 void SightedPoints::take(const CloudView& cloud) {
-  constexpr double far_m = 1e9;
   for (auto* axis : {&x_, &y_, &z_}) axis->clear();
   find_middle(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const float* p = cloud.point(i);
     if (!is_measured(p)) continue;
     const auto relative = [&](int axis) {
-      return static_cast<float>(std::clamp(double{p[axis]} - middle_[axis], -far_m, far_m));
+      return static_cast<float>(
+          std::clamp(double{p[axis]} - middle_.place[axis], -farthest_m, farthest_m));
     };
     x_.push_back(relative(0));
     y_.push_back(relative(1));
@@ -114,17 +102,18 @@ void SightedPoints::find_spacing(const Eigen::Vector3f& place, Sight& sight) {
   sight.spacing_rad = std::sqrt(angular_[angular_.size() / 2]);
 }
 
-double SightedPoints::share_hidden(const Eigen::Vector3f& place, double spacing_rad) {
+double SightedPoints::share_hidden(const Eigen::Vector3d& place, double spacing_rad) {
   constexpr double spacings = 4;
   constexpr double least_bin = 1e-4, largest_bin = 0.1;
   constexpr double steepest = 6;  // surfaces seen at up to 80 deg hide nothing
   const double bin = std::clamp(spacings * spacing_rad, least_bin, largest_bin);
   const auto per_bin = static_cast<float>(1 / bin);
   const auto behind = static_cast<float>(1 + std::max(steepest * bin, 0.05));
+  const Eigen::Vector3f relative = relative_to_middle(place);
   keys_.clear();
   range_.clear();
   for (std::size_t i = 0; i < size(); ++i) {
-    const Eigen::Vector3f way = Eigen::Vector3f(x_[i], y_[i], z_[i]) - place;
+    const Eigen::Vector3f way = Eigen::Vector3f(x_[i], y_[i], z_[i]) - relative;
     const float range = way.norm();
     if (!(range > 0)) continue;
     std::uint64_t key = 0;
@@ -150,16 +139,14 @@ double SightedPoints::share_hidden(const Eigen::Vector3f& place, double spacing_
 }
 
 Sight SightedPoints::look_from(const Eigen::Vector3d& place) {
-  const Eigen::Vector3f relative = (place - middle_).cast<float>();
   Sight sight;
-  find_spacing(relative, sight);
-  sight.hidden = share_hidden(relative, sight.spacing_rad);
+  find_spacing(relative_to_middle(place), sight);
   return sight;
 }
 
 std::size_t SightedPoints::behind(const Eigen::Vector3d& place, const Eigen::Vector3d& axis) const {
   constexpr float least_cosine = 0.17F;
-  const Eigen::Vector3f relative = (place - middle_).cast<float>();
+  const Eigen::Vector3f relative = relative_to_middle(place);
   const Eigen::Vector3f direction = axis.cast<float>();
   std::size_t count = 0;
   for (std::size_t i = 0; i < size(); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "segmentation/view/middle.hpp"
+
 namespace cleave::segmentation {
 
 bool StraightLines::are_straight() {
