@@ -14,11 +14,6 @@ constexpr std::array<float, 3> offset_share = {1.0F, 0.7F, 0.4F};
 // With one viewpoint, points closer than this count as this close: ln z has no lower end.
 constexpr float min_depth_m = 1e-3F;
 
-bool seen_from_one_viewpoint(const PointSet& points, Viewpoint viewpoint) {
-  if (viewpoint == Viewpoint::automatic) return points.behind == 0;
-  return viewpoint == Viewpoint::single;
-}
-
 void accumulate_moments(const PointSet& points, VoxelGrid& grid) {
   grid.moments.assign(grid.size(), Moments{});
   for (std::size_t run = 0; run < grid.runs(); ++run) {
@@ -79,7 +74,7 @@ void Voxeliser::find_runs(VoxelGrid& grid) {
 }
 
 void Voxeliser::voxelise(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid) {
-  grid.one_viewpoint = seen_from_one_viewpoint(points, options.viewpoint);
+  grid.one_viewpoint = options.viewpoint != Viewpoint::multiple;
   find_cells(points, options, grid.one_viewpoint);
   find_runs(grid);
 

@@ -28,7 +28,7 @@ struct VoxelGrid {
   [[nodiscard]] std::size_t runs() const { return run_voxel.size(); }
 };
 
-// Sorts points into voxels: cubes in (x/z, y/z, ln z) for one viewpoint, in (x, y, z) for several.
+// Sorts points into voxels: cubes in (x/z, y/z, ln z), or for Viewpoint::multiple in (x, y, z).
 class Voxeliser {
  public:
   void voxelise(const PointSet& points, const VoxelOptions& options, VoxelGrid& grid);

@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "segmentation/view/measured.hpp"
-
 namespace cleave::segmentation {
 
 bool VoxelPath::gather(const CloudView& cloud, const VoxelOptions& options) {
   gather_measured_points(cloud, points_);
-  if (options.viewpoint != Viewpoint::multiple && points_.behind <= max_strays(points_.size())) {
-    drop_points_behind(points_);
-  }
+  const bool one_viewpoint = options.viewpoint != Viewpoint::multiple;
+  if (one_viewpoint && points_.behind < points_.size()) drop_points_behind(points_);
   if (points_.size() == 0) return false;
   growth_ = voxel_fitter_.voxelise(points_, options, grid_, neighbours_);
   voxel_size_ = options.size_m * growth_;

@@ -25,8 +25,8 @@ namespace cleave::segmentation {
 // Each step needs those before it.
 class VoxelPath {
  public:
-  // False if no point was measured. Seen from one viewpoint, a few points on or behind the
-  // sensor's plane are left out (max_strays).
+  // False if no point was measured. Seen from one viewpoint, points on or behind the sensor's plane
+  // are left out, unless all are: no sensor in the origin measured them.
   [[nodiscard]] bool gather(const CloudView& cloud, const VoxelOptions& options);
   [[nodiscard]] bool seen_from_one_viewpoint() const { return grid_.one_viewpoint; }
   [[nodiscard]] CloudSpacing spacing() const;
