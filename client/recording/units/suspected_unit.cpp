@@ -1,6 +1,7 @@
 #include "recording/units/suspected_unit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -37,6 +38,7 @@ bool is_whole(float value) {
 
 std::vector<Point> measured_points(std::span<const float> xyz) {
   std::vector<Point> points;
+  points.reserve(xyz.size() / 3);
   for (std::size_t i = 0; i + 3 <= xyz.size(); i += 3) {
     const Point p{xyz[i], xyz[i + 1], xyz[i + 2]};
     if (p.measured()) points.push_back(p);
@@ -82,6 +84,8 @@ struct Image {
 
 Image image_of(const std::vector<Point>& points, double max_spread) {
   std::vector<PlanePoint> seen, flat;
+  seen.reserve(points.size());
+  flat.reserve(points.size());
   for (const Point& p : points) {
     if (!p.in_view()) continue;
     seen.push_back({p.x / p.z, p.y / p.z});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -14,7 +13,7 @@ namespace cleave::recording {
 
 struct Suspicion {
   Unit unit = Unit::millimetre;
-  std::string evidence;  // "its 12288 points are ..., which no camera sees in metres"
+  std::string evidence;  // "a camera saw its points ..., which no depth camera measures in metres"
 };
 
 // Numbers alone do not say their unit: a terrain of 1 m steps and a scan of 1 mm steps have the
