@@ -1,6 +1,7 @@
 // Whether a result is one that anybody can have wanted.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "segmentation/segmentation.hpp"
@@ -12,6 +13,8 @@ enum class Doubt {
   mostly_unlabelled,    // most measured points have no segment
   mostly_single_points  // most segments are one point
 };
+
+inline constexpr std::size_t doubts = 3;  // with none
 
 [[nodiscard]] Doubt doubt_about(const Segmentation& result);
 

@@ -118,9 +118,11 @@ bool FramePipeline::has_wrong_unit(const Frame& frame, const segmentation::Cloud
 }
 
 void FramePipeline::advise(segmentation::Doubt doubt) {
-  if (doubt == segmentation::Doubt::none || advised_.exchange(true)) return;
+  if (doubt == segmentation::Doubt::none) return;
+  Advice& advice = advice_.at(static_cast<std::size_t>(doubt));
+  if (advice.given.exchange(true)) return;
   problems_.report(
-      ProblemLog::Severity::warning, advice_log_,
+      ProblemLog::Severity::warning, advice.log,
       fmt::format("sensor '{}': {}", settings_.sensor, segmentation::advice_on(doubt)));
 }
 

@@ -2,6 +2,7 @@
 // results go to a ResultSink.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -71,7 +72,7 @@ class FramePipeline {
   [[nodiscard]] bool has_wrong_unit(const Frame& frame, const segmentation::CloudView& cloud);
   void drop(const Frame& frame, DropCause cause);
   void report(const Frame& frame, std::string_view fate, std::string_view why);
-  // Once: a sensor whose clouds are sparse sends many of them.
+  // Once a doubt: a sensor whose clouds are sparse sends many of them.
   void advise(segmentation::Doubt doubt);
   void report_gap(const FrameHeader& header, std::uint64_t missed);
 
@@ -82,8 +83,11 @@ class FramePipeline {
   ProblemLog problems_;
   LogLimiter gap_log_;
   LogLimiter frame_log_;
-  LogLimiter advice_log_;
-  std::atomic<bool> advised_{false};
+  struct Advice {
+    std::atomic<bool> given{false};
+    LogLimiter log;
+  };
+  std::array<Advice, segmentation::doubts> advice_;  // by Doubt
   ResultPublisher publisher_;
   InOrderPublisher<FinishedFrame> order_;
   FrameQueue<Frame> queue_;

@@ -151,21 +151,42 @@ TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
   EXPECT_EQ(sink.label_ids, (std::vector<std::uint64_t>{1}));
 }
 
-TEST(FramePipeline, SaysOnceThatMostPointsHaveNoSegment) {
+// As the first points of the frames say: no segment at all, no finite point, single points.
+enum Find : std::uint64_t { nothing = 1, no_point = 2, single_points = 3 };
+
+Outcome find_as_told(const CloudView& view, std::span<std::uint16_t> labels, Segmentation& result) {
+  const auto find = static_cast<Find>(view.point(0)[0]);
+  if (find == no_point) return Outcome::no_finite_point;
+  std::fill(labels.begin(), labels.end(), std::uint16_t{0});
+  result.measured_points = static_cast<std::uint32_t>(labels.size());
+  if (find == single_points) result.segments.resize(labels.size());
+  for (segmentation::Segment& segment : result.segments) segment.point_count = 1;
+  return Outcome::segmented;
+}
+
+std::string last_problem_after(const std::vector<Find>& finds) {
   FakeSink sink;
-  const SegmentFunction finds_little = [](const CloudView&, std::span<std::uint16_t> labels,
-                                          Segmentation& result) {
-    std::fill(labels.begin(), labels.end(), std::uint16_t{0});
-    result.measured_points = static_cast<std::uint32_t>(labels.size());
-    return Outcome::segmented;
-  };
-  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {finds_little});
-
-  for (std::uint64_t id = 1; id <= 3; ++id) pipeline.accept(cloud(id), false);
+  FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {find_as_told});
+  for (std::uint64_t id = 1; id <= finds.size(); ++id) {
+    const auto frame = cloud(id);
+    frame->xyz[0] = static_cast<float>(finds[id - 1]);
+    pipeline.accept(frame, false);
+  }
   pipeline.drain();
+  return pipeline.last_problem();
+}
 
-  EXPECT_EQ(pipeline.counts().published, 3U);
-  EXPECT_NE(pipeline.last_problem().find("voxel.size_m"), std::string::npos);
+TEST(FramePipeline, SaysOnceThatMostPointsHaveNoSegment) {
+  EXPECT_NE(last_problem_after({nothing}).find("most points have no segment"), std::string::npos);
+  EXPECT_NE(last_problem_after({nothing, no_point, nothing}).find("no finite point"),
+            std::string::npos);
+}
+
+TEST(FramePipeline, SaysOnceThatMostSegmentsAreSinglePointsWhateverElseItSaid) {
+  EXPECT_NE(last_problem_after({nothing, single_points}).find("single points"), std::string::npos);
+  EXPECT_NE(last_problem_after({single_points, nothing}).find("no segment"), std::string::npos);
+  EXPECT_NE(last_problem_after({single_points, no_point, single_points}).find("no finite point"),
+            std::string::npos);
 }
 
 TEST(FramePipeline, AnswersAFrameOnWhichTheSegmenterThrows) {
