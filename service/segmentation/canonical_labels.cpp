@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "segmentation/dust/dust_settler.hpp"
+#include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
 
@@ -11,7 +11,7 @@ bool LabelOrder::order(std::span<const PointRun> runs, const std::vector<std::ui
   entries_.assign(settled.size(), Entry{});
   for (std::uint32_t r = 0; r < runs.size(); ++r) {
     const std::uint32_t segment = settled[runs[r].segment];
-    if (segment == DustSettler::dropped) continue;
+    if (segment == no_index) continue;
     Entry& entry = entries_[segment];
     if (entry.points == 0) {
       entry.first_run = r;
@@ -29,7 +29,7 @@ bool LabelOrder::order(std::span<const PointRun> runs, const std::vector<std::ui
     label_of_segment[entries_[rank].segment] = static_cast<std::uint16_t>(rank + 1);
   }
   for (std::size_t s = 0; s < settled.size(); ++s) {
-    if (settled[s] != DustSettler::dropped) label_of_segment[s] = label_of_segment[settled[s]];
+    if (settled[s] != no_index) label_of_segment[s] = label_of_segment[settled[s]];
   }
   return true;
 }

@@ -14,9 +14,9 @@ inline constexpr std::size_t max_labels = std::numeric_limits<std::uint16_t>::ma
 
 class LabelOrder {
  public:
-  // `settled`: of a segment, the one that its points belong to, or DustSettler::dropped. Label of
-  // every segment: 1 for the most points, ties by the lowest point, 0 for no point and for dropped
-  // ones. False, without any label, if there are more than max_labels.
+  // `settled`: of a segment, the one that its points belong to, or no_index. Label of every
+  // segment: 1 for the most points, ties by the lowest point, 0 for no point and for those that
+  // belong to none. False, without any label, if there are more than max_labels.
   [[nodiscard]] bool order(std::span<const PointRun> runs,
                            const std::vector<std::uint32_t>& settled,
                            std::vector<std::uint16_t>& label_of_segment);

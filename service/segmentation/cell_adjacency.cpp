@@ -10,7 +10,7 @@ namespace cleave::segmentation {
 
 // A supervoxel has few neighbours: their list is searched from the front.
 void CellAdjacencyFinder::count_link(std::uint32_t first, std::uint32_t second) {
-  for (std::uint32_t n = list_[first]; n != none; n = neighbours_[n].next) {
+  for (std::uint32_t n = list_[first]; n != no_index; n = neighbours_[n].next) {
     if (neighbours_[n].second != second) continue;
     ++neighbours_[n].links;
     return;
@@ -42,7 +42,7 @@ void CellAdjacencyFinder::find(const CellImage& cells, const CellLinks& links,
                                const std::vector<std::uint32_t>& supervoxel,
                                std::size_t supervoxels, std::vector<AdjacentPair>& pairs) {
   const auto steps = cells.steps();
-  list_.assign(supervoxels, none);
+  list_.assign(supervoxels, no_index);
   neighbours_.clear();
   borders_.resize(cells.columns);
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
@@ -61,7 +61,7 @@ void CellAdjacencyFinder::find(const CellImage& cells, const CellLinks& links,
   pairs.clear();
   for (std::uint32_t first = 0; first < supervoxels; ++first) {
     const auto begin = static_cast<std::ptrdiff_t>(pairs.size());
-    for (std::uint32_t n = list_[first]; n != none; n = neighbours_[n].next) {
+    for (std::uint32_t n = list_[first]; n != no_index; n = neighbours_[n].next) {
       pairs.push_back({.first = first,
                        .second = neighbours_[n].second,
                        .touching_voxels = neighbours_[n].links});

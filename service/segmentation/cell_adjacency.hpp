@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "segmentation/adjacency.hpp"
 #include "segmentation/cell_image.hpp"
 #include "segmentation/cell_links.hpp"
+#include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
 
@@ -20,14 +20,13 @@ class CellAdjacencyFinder {
             std::vector<AdjacentPair>& pairs);
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   struct Neighbour {
     std::uint32_t second = 0, links = 0;
-    std::uint32_t next = none;  // in the list of the same first supervoxel
+    std::uint32_t next = no_index;  // in the list of the same first supervoxel
   };
   void count_link(std::uint32_t first, std::uint32_t second);
 
-  std::vector<std::uint32_t> list_;  // of a supervoxel, the latest neighbour; none: empty
+  std::vector<std::uint32_t> list_;  // of a supervoxel, the latest neighbour; no_index: empty
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> borders_;  // of a row
 };

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
+
+#include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
 namespace {
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr double weak_share = 0.5;
 constexpr std::uint32_t pair_factor = 4;
 }  // namespace
@@ -29,12 +29,12 @@ void SmallSegmentMerger::list_edges_of_supervoxels(const std::vector<SupervoxelE
 
 void SmallSegmentMerger::list_members(const std::vector<std::uint32_t>& segment,
                                       std::uint32_t segments) {
-  first_.assign(segments, none);
-  last_.assign(segments, none);
-  next_.assign(segment.size(), none);
+  first_.assign(segments, no_index);
+  last_.assign(segments, no_index);
+  next_.assign(segment.size(), no_index);
   for (std::uint32_t s = 0; s < segment.size(); ++s) {
     std::uint32_t& last = last_[segment[s]];
-    (last == none ? first_[segment[s]] : next_[last]) = s;
+    (last == no_index ? first_[segment[s]] : next_[last]) = s;
     last = s;
   }
 }
@@ -43,7 +43,7 @@ SmallSegmentMerger::Neighbour SmallSegmentMerger::closest_neighbour(
     const std::vector<SupervoxelEdge>& edges, const std::vector<std::uint32_t>& segment,
     std::uint32_t small) {
   bonded_.clear();
-  for (std::uint32_t s = first_[small]; s != none; s = next_[s]) {
+  for (std::uint32_t s = first_[small]; s != no_index; s = next_[s]) {
     for (std::uint32_t e = edge_begin_[s]; e < edge_begin_[s + 1]; ++e) {
       const SupervoxelEdge& edge = edges[edge_of_[e]];
       const std::uint32_t other = segment[edge.first == s ? edge.second : edge.first];
@@ -56,22 +56,22 @@ SmallSegmentMerger::Neighbour SmallSegmentMerger::closest_neighbour(
       if (!edge.is_cannot_link()) bond.linking_voxels += edge.touching_voxels;
     }
   }
-  std::uint32_t best = none;
+  std::uint32_t best = no_index;
   for (const std::uint32_t other : bonded_) {
     const auto closeness = [&](std::uint32_t s) {
       return std::make_tuple(bond_[s].weight, bond_[s].touching_voxels, ~s);
     };
-    if (best == none || closeness(other) > closeness(best)) best = other;
+    if (best == no_index || closeness(other) > closeness(best)) best = other;
   }
   const bool weakly_parted =
-      best != none && bond_[best].linking_voxels > weak_share * bond_[best].touching_voxels;
+      best != no_index && bond_[best].linking_voxels > weak_share * bond_[best].touching_voxels;
   for (const std::uint32_t other : bonded_) bond_[other] = Bond{};
   return {best, weakly_parted};
 }
 
 bool SmallSegmentMerger::should_join(std::uint32_t small, const Neighbour& neighbour,
                                      const CleanUpOptions& options) const {
-  if (neighbour.segment == none) return false;
+  if (neighbour.segment == no_index) return false;
   if (points_[small] < options.min_segment_points) return true;
   if (!neighbour.weakly_parted) return false;
   return points_[small] < options.weak_border_points ||
@@ -80,7 +80,7 @@ bool SmallSegmentMerger::should_join(std::uint32_t small, const Neighbour& neigh
 
 void SmallSegmentMerger::join(std::uint32_t small, std::uint32_t into,
                               std::vector<std::uint32_t>& segment) {
-  for (std::uint32_t s = first_[small]; s != none; s = next_[s]) segment[s] = into;
+  for (std::uint32_t s = first_[small]; s != no_index; s = next_[s]) segment[s] = into;
   next_[last_[into]] = first_[small];
   last_[into] = last_[small];
   points_[into] += points_[small];

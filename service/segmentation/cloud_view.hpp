@@ -16,7 +16,7 @@ struct SensorPose {
 };
 
 // Points as 3 floats each, `stride` floats apart, in any frame; metres. height = 1: unorganised,
-// else an image stored row by row or in any other order: see view/view_finder. What is_measured
+// else an image stored row by row or in any other order: see view/image_view. What is_measured
 // (view/measured) refuses gets label 0. The memory must outlive the call it is given to.
 struct CloudView {
   const float* xyz = nullptr;

@@ -1,24 +1,21 @@
 #include "segmentation/sparse_ldl.hpp"
 
-#include <limits>
+#include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
-namespace {
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-}
 
 // The parent of a column is the first row below its diagonal in which it has an entry; on the way,
 // the entries of every column are counted.
 void SparseLdl::grow_tree(const SymmetricRows& matrix) {
   const std::uint32_t size = matrix.size();
-  parent_.assign(size, none);
-  seen_in_row_.assign(size, none);
+  parent_.assign(size, no_index);
+  seen_in_row_.assign(size, no_index);
   column_end_.assign(size, 0);
   for (std::uint32_t row = 0; row < size; ++row) {
     seen_in_row_[row] = row;
     for (std::uint32_t e = matrix.row_begin[row]; e < matrix.row_begin[row + 1]; ++e) {
       for (std::uint32_t c = matrix.column[e]; seen_in_row_[c] != row; c = parent_[c]) {
-        if (parent_[c] == none) parent_[c] = row;
+        if (parent_[c] == no_index) parent_[c] = row;
         seen_in_row_[c] = row;
         ++column_end_[c];
       }
@@ -69,7 +66,7 @@ void SparseLdl::fill_row(const SymmetricRows& matrix, std::uint32_t row) {
 
 void SparseLdl::factorise(const SymmetricRows& matrix) {
   grow_tree(matrix);
-  seen_in_row_.assign(matrix.size(), none);
+  seen_in_row_.assign(matrix.size(), no_index);
   for (auto* list : {&path_, &branch_}) list->resize(matrix.size());
   work_.assign(matrix.size(), 0);
   pivot_.resize(matrix.size());

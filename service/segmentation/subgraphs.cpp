@@ -1,13 +1,11 @@
 #include "segmentation/subgraphs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
-namespace {}
 
 void SubgraphStore::reset(std::uint32_t vertices, std::span<const CutEdge> edges,
                           std::vector<Subgraph>& parts) {

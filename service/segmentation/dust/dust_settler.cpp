@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "segmentation/no_index.hpp"
+
 namespace cleave::segmentation {
 
 // Segments without a point are left out: they are not there to be joined.
@@ -23,7 +25,7 @@ void DustSettler::drop_islands(std::uint32_t min_segment_points,
   points_in_.assign(settled.size(), 0);
   for (std::size_t s = 0; s < settled.size(); ++s) points_in_[settled[s]] += points_[s];
   for (std::uint32_t& segment : settled) {
-    if (points_in_[segment] < min_segment_points) segment = dropped;
+    if (points_in_[segment] < min_segment_points) segment = no_index;
   }
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,9 +18,7 @@ namespace cleave::segmentation {
 // dropped. With 0 nothing joins and nothing is dropped.
 class DustSettler {
  public:
-  static constexpr std::uint32_t dropped = std::numeric_limits<std::uint32_t>::max();
-
-  // `settled`: of a segment, the one that its points belong to now, or `dropped`. `runs`: of the
+  // `settled`: of a segment, the one that its points belong to now, or no_index. `runs`: of the
   // final segments; `edges`, of supervoxels, tell which segments touch.
   void settle(std::span<const PointRun> runs, const std::vector<SupervoxelEdge>& edges,
               const std::vector<std::uint32_t>& segment_of_supervoxel, std::uint32_t segments,

@@ -3,7 +3,8 @@
 
 #include <set>
 
-#include "scene_labels.hpp"
+#include "depth_scene.hpp"
+#include "segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -16,7 +17,7 @@ TEST_P(EveryAlgorithm, LabelsEveryMeasuredPointAndTellsTheBoxFromTheTable) {
   options.algorithm = GetParam();
   Segmenter segmenter(options);
 
-  const auto labels = labels_of(segmenter, scene);
+  const auto labels = segmented(segmenter, scene.view()).labels;
 
   const auto at = [&](std::uint32_t row, std::uint32_t column) {
     std::uint32_t pixel = row * scene.width + column;
@@ -35,9 +36,10 @@ TEST_P(EveryAlgorithm, GivesTheSameLabelsWhateverItSawBefore) {
   options.algorithm = GetParam();
   Segmenter fresh(options);
   Segmenter used(options);
-  for (unsigned seed = 0; seed < 3; ++seed) (void)labels_of(used, DepthScene(seed));
+  for (unsigned seed = 0; seed < 3; ++seed) (void)segmented(used, DepthScene(seed).view()).labels;
 
-  EXPECT_EQ(labels_of(fresh, DepthScene(5)), labels_of(used, DepthScene(5)));
+  EXPECT_EQ(segmented(fresh, DepthScene(5).view()).labels,
+            segmented(used, DepthScene(5).view()).labels);
 }
 
 TEST_P(EveryAlgorithm, SegmentsALonePoint) {

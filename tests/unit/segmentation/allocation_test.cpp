@@ -4,53 +4,52 @@
 #include "depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
 #include "table_cloud.hpp"
+#include "view/stored_scene.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
-class AllocationsOf : public testing::TestWithParam<Representation> {};
+class AllocationsOf : public testing::TestWithParam<Representation> {
+ protected:
+  template <class Clouds>
+  static void expect_none(const Clouds& clouds, Viewpoint viewpoint = Viewpoint::automatic) {
+    Options options;
+    options.representation = GetParam();
+    options.voxel.viewpoint = viewpoint;
+    Segmenter segmenter(options);
+    Segmentation result;
+    std::vector<std::uint16_t> labels(clouds.front().view().size());
+    const auto segment_all = [&] {
+      for (const auto& cloud : clouds) {
+        ASSERT_EQ(segmenter.segment(cloud.view(), labels, result), Outcome::segmented);
+      }
+    };
+    segment_all();
+    const auto before = client::allocations_of_this_thread();
+
+    segment_all();
+
+    EXPECT_EQ(client::allocations_of_this_thread(), before);
+  }
+};
 
 TEST_P(AllocationsOf, AWarmSegmenterAreNone) {
-  Options options;
-  options.representation = GetParam();
-  Segmenter segmenter(options);
-  Segmentation result;
   std::vector<DepthScene> scenes;
   for (unsigned seed = 0; seed < 6; ++seed) scenes.emplace_back(seed);
-  std::vector<std::uint16_t> labels(scenes.front().view().size());
-  const auto segment_all = [&] {
-    for (const DepthScene& scene : scenes) {
-      ASSERT_EQ(segmenter.segment(scene.view(), labels, result), Outcome::segmented);
-    }
-  };
-  segment_all();
-  const auto before = client::allocations_of_this_thread();
 
-  segment_all();
-
-  EXPECT_EQ(client::allocations_of_this_thread(), before);
+  expect_none(scenes);
 }
 
 TEST_P(AllocationsOf, AWarmSegmenterAreNoneForSparseClouds) {
-  Options options;
-  options.representation = GetParam();
-  options.voxel.viewpoint = Viewpoint::multiple;
-  Segmenter segmenter(options);
-  Segmentation result;
   std::vector<TableCloud> tables;
   for (const float spacing : {0.01F, 0.02F, 0.5F}) tables.emplace_back(spacing);
-  std::vector<std::uint16_t> labels(tables.front().view().size());
-  const auto segment_all = [&] {
-    for (const TableCloud& table : tables) {
-      ASSERT_EQ(segmenter.segment(table.view(), labels, result), Outcome::segmented);
-    }
-  };
-  segment_all();
-  const auto before = client::allocations_of_this_thread();
 
-  segment_all();
+  expect_none(tables);
+  expect_none(tables, Viewpoint::multiple);
+}
 
-  EXPECT_EQ(client::allocations_of_this_thread(), before);
+TEST_P(AllocationsOf, AWarmSegmenterAreNoneForImagesInAnyFrameAndOrder) {
+  expect_none(scenes_on_a_robot());
 }
 
 INSTANTIATE_TEST_SUITE_P(BothRepresentations, AllocationsOf,

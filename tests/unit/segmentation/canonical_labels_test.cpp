@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "segmentation/dust/dust_settler.hpp"
+#include "segmentation/no_index.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -42,7 +42,7 @@ TEST(LabelOrder, CountsWhatHasJoinedAndGivesNoLabelToWhatIsDropped) {
                                       {.segment = 3, .begin = 7, .end = 8}};
   Labels labels;
 
-  ASSERT_TRUE(LabelOrder().order(runs, {0, 2, 2, DustSettler::dropped}, labels));
+  ASSERT_TRUE(LabelOrder().order(runs, {0, 2, 2, no_index}, labels));
 
   EXPECT_EQ(labels, (Labels{2, 1, 1, 0}));
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "scene_labels.hpp"
+#include "depth_scene.hpp"
+#include "segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -19,7 +20,7 @@ TEST(CellPath, IsNotTakenForCloudsFromSeveralViewpoints) {
   options.representation = Representation::voxels;
   Segmenter voxels(options);
 
-  EXPECT_EQ(labels_of(cells, scene), labels_of(voxels, scene));
+  EXPECT_EQ(segmented(cells, scene.view()).labels, segmented(voxels, scene.view()).labels);
 }
 
 TEST(CellPath, LeavesOtherCloudsToTheVoxels) {
@@ -32,7 +33,7 @@ TEST(CellPath, LeavesOtherCloudsToTheVoxels) {
   Segmenter cells = segmenter_for(Representation::cells);
   Segmenter voxels = segmenter_for(Representation::voxels);
 
-  EXPECT_EQ(labels_of(cells, scene), labels_of(voxels, scene));
+  EXPECT_EQ(segmented(cells, scene.view()).labels, segmented(voxels, scene.view()).labels);
 }
 
 TEST(CellPath, RemembersNothingOfFramesBefore) {
@@ -42,17 +43,17 @@ TEST(CellPath, RemembersNothingOfFramesBefore) {
   narrow.xyz.resize(std::size_t{3} * narrow.width * narrow.height);
   Segmenter segmenter = segmenter_for(Representation::cells);
 
-  const auto first = labels_of(segmenter, scene);
-  (void)labels_of(segmenter, narrow);
+  const auto first = segmented(segmenter, scene.view()).labels;
+  (void)segmented(segmenter, narrow.view()).labels;
 
-  EXPECT_EQ(labels_of(segmenter, scene), first);
+  EXPECT_EQ(segmented(segmenter, scene.view()).labels, first);
 }
 
 TEST(CellPath, LabelsExactlyWhatWasMeasured) {
   const DepthScene scene(15);
   Segmenter segmenter = segmenter_for(Representation::cells);
 
-  const auto labels = labels_of(segmenter, scene);
+  const auto labels = segmented(segmenter, scene.view()).labels;
 
   for (std::size_t i = 0; i < labels.size(); ++i) {
     EXPECT_EQ(labels[i] != 0, std::isfinite(scene.view().point(i)[2]));
@@ -63,7 +64,7 @@ TEST(CellPath, SeparatesTheFacesOfABoxFromTheTable) {
   const DepthScene scene(16);
   Segmenter segmenter = segmenter_for(Representation::cells);
 
-  const auto labels = labels_of(segmenter, scene);
+  const auto labels = segmented(segmenter, scene.view()).labels;
 
   const auto at = [&](std::size_t column, std::size_t row) {
     return labels[row * scene.width + column];

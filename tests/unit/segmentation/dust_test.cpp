@@ -5,14 +5,15 @@
 
 #include "depth_scene.hpp"
 #include "segmentation/dust/dust_settler.hpp"
-#include "segmentation/segmenter.hpp"
+#include "segmentation/no_index.hpp"
+#include "segmented.hpp"
 #include "table_cloud.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
 using Segments = std::vector<std::uint32_t>;
-constexpr std::uint32_t dropped = DustSettler::dropped;
+constexpr std::uint32_t dropped = no_index;
 
 // Supervoxels are segments here; each has a run of so many points.
 Segments settle(const std::vector<std::uint32_t>& points, const std::vector<SupervoxelEdge>& edges,
@@ -55,20 +56,7 @@ TEST(DustSettler, IsSwitchedOffByZero) {
   EXPECT_EQ(settle({5, 0, 1}, {contact(0, 2)}, 0), (Segments{0, 1, 2}));
 }
 
-struct Result {
-  std::vector<std::uint16_t> labels;
-  Segmentation segmentation;
-};
-
-Result segment(const CloudView& cloud, const Options& options) {
-  Result result;
-  result.labels.resize(cloud.size());
-  EXPECT_EQ(Segmenter(options).segment(cloud, result.labels, result.segmentation),
-            Outcome::segmented);
-  return result;
-}
-
-void expect_no_dust(const Result& result, std::uint32_t min_points) {
+void expect_no_dust(const Segmented& result, std::uint32_t min_points) {
   std::vector<std::uint32_t> counted(result.segmentation.segments.size() + 1);
   for (const std::uint16_t label : result.labels) {
     ASSERT_LT(label, counted.size());
@@ -98,7 +86,7 @@ TEST_P(Dust, IsNoSegmentInNoisyScenes) {
         float* p = &scene.xyz[3 * (random() % scene.view().size())];
         for (int axis = 0; axis < 3; ++axis) p[axis] *= 0.7F;
       }
-      const Result result = segment(scene.view(), options);
+      const Segmented result = segmented(scene.view(), options);
 
       EXPECT_FALSE(result.segmentation.segments.empty());
       expect_no_dust(result, min_points);
@@ -111,7 +99,7 @@ TEST_P(Dust, IsAllThatASceneConsistsOfIfMoreIsAskedForThanItHas) {
   options.representation = GetParam();
   options.clean_up.min_segment_points = 1000000;
 
-  const Result result = segment(DepthScene(1).view(), options);
+  const Segmented result = segmented(DepthScene(1).view(), options);
 
   EXPECT_EQ(result.labels, std::vector<std::uint16_t>(result.labels.size(), 0));
   EXPECT_TRUE(result.segmentation.segments.empty());
@@ -132,7 +120,7 @@ TEST(Dust, OfAnUnorganisedCloudIsAsSmallAsWasAskedForExactly) {
                                        0.1F * static_cast<float>(i / 10), 2.5F});
   }
 
-  expect_no_dust(segment(table.view(), options), 700);
+  expect_no_dust(segmented(table.view(), options), 700);
 }
 
 TEST(Dust, DoesNotReachLabelsOnceCleanUpIsOff) {
@@ -140,7 +128,8 @@ TEST(Dust, DoesNotReachLabelsOnceCleanUpIsOff) {
   Options options;
   options.clean_up.min_segment_points = 0;
 
-  EXPECT_EQ(segment({xyz.data(), 3, 3, 1}, options).labels, (std::vector<std::uint16_t>{1, 2, 3}));
+  EXPECT_EQ(segmented({xyz.data(), 3, 3, 1}, options).labels,
+            (std::vector<std::uint16_t>{1, 2, 3}));
 }
 
 }  // namespace

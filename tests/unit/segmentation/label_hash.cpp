@@ -6,6 +6,7 @@
 #include "depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
 #include "table_cloud.hpp"
+#include "view/stored_scene.hpp"
 
 namespace {
 
@@ -52,5 +53,5 @@ int main() {
   }
   std::vector<TableCloud> tables;
   for (const float spacing : {0.008F, 0.01F, 0.02F, 0.5F}) tables.emplace_back(spacing);
-  return print_hash({}, tables) ? 0 : 1;
+  return print_hash({}, tables) && print_hash({}, scenes_on_a_robot()) ? 0 : 1;
 }

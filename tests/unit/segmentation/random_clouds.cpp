@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "random_cloud.hpp"
-#include "segmentation/segmenter.hpp"
+#include "segment_cloud.hpp"
 #include "segmentation/view/measured.hpp"
 
 namespace {
@@ -26,19 +26,6 @@ Options random_options(RandomCloud& random) {
   return options;
 }
 
-struct Result {
-  Outcome outcome = Outcome::bad_size;
-  std::vector<std::uint16_t> labels;
-  Segmentation segmentation;
-};
-
-Result segment(Segmenter& segmenter, const CloudView& cloud) {
-  Result result;
-  result.labels.assign(cloud.size(), 77);
-  result.outcome = segmenter.segment(cloud, result.labels, result.segmentation);
-  return result;
-}
-
 bool lies_inside(const ImageRectangle& r, const CloudView& cloud) {
   if (!cloud.organised()) return r.left + r.top + r.right + r.bottom == 0;
   return r.left < r.right && r.right <= cloud.width && r.top < r.bottom && r.bottom <= cloud.height;
@@ -54,7 +41,7 @@ bool is_sound(const Segment& segment, const CloudView& cloud) {
 }
 
 // What is wrong; empty if nothing is.
-std::string judge(const CloudView& cloud, const Result& result) {
+std::string judge(const CloudView& cloud, const Segmented& result) {
   std::vector<std::uint32_t> count(result.segmentation.segments.size() + 1, 0);
   bool any = false;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -80,8 +67,8 @@ std::string try_cloud(std::uint64_t seed) {
   RandomCloud random(seed);
   const CloudView cloud = random.view();
   Segmenter segmenter(random_options(random));
-  const Result first = segment(segmenter, cloud);
-  const Result second = segment(segmenter, cloud);
+  const Segmented first = segment(segmenter, cloud);
+  const Segmented second = segment(segmenter, cloud);
   if (first.labels != second.labels) return "other labels in a second run";
   return judge(cloud, first);
 }

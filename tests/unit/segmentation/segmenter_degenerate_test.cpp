@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "segmentation/segmenter.hpp"
+#include "segment_cloud.hpp"
 #include "segmentation/view/measured.hpp"
 #include "tests/support/box_scene.hpp"
 
@@ -15,25 +15,15 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float denormal = std::numeric_limits<float>::denorm_min();
 
-struct DegenerateResult {
-  Outcome outcome;
-  std::vector<std::uint16_t> labels;
-  Segmentation segmentation;
-};
-
-DegenerateResult segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t height,
-                         const Options& options = {}) {
+Segmented segment(const std::vector<float>& xyz, std::uint32_t width, std::uint32_t height,
+                  const Options& options = {}) {
   Segmenter segmenter(options);
-  DegenerateResult result;
-  result.labels.assign(std::size_t{width} * height, 77);
-  result.outcome =
-      segmenter.segment({xyz.data(), 3, width, height}, result.labels, result.segmentation);
-  return result;
+  return segment(segmenter, {xyz.data(), 3, width, height});
 }
 
 // Points too few for a segment have no label, even if they are measured: so many in all.
-void expect_only_measured_points_labelled(const std::vector<float>& xyz,
-                                          const DegenerateResult& result, std::size_t dust = 0) {
+void expect_only_measured_points_labelled(const std::vector<float>& xyz, const Segmented& result,
+                                          std::size_t dust = 0) {
   ASSERT_EQ(result.outcome, Outcome::segmented);
   std::size_t measured = 0;
   std::size_t counted = 0;
@@ -55,14 +45,14 @@ void expect_only_measured_points_labelled(const std::vector<float>& xyz,
 }
 
 TEST(SegmenterOnDegenerateClouds, RefusesAnEmptyOne) {
-  const DegenerateResult result = segment({}, 0, 0);
+  const Segmented result = segment({}, 0, 0);
 
   EXPECT_EQ(result.outcome, Outcome::no_finite_point);
   EXPECT_TRUE(result.segmentation.segments.empty());
 }
 
 TEST(SegmenterOnDegenerateClouds, RefusesOneWithoutAFinitePoint) {
-  const DegenerateResult result =
+  const Segmented result =
       segment({nan, nan, nan, 0, infinity, 1, 0, 0, -infinity, 1, nan, 1}, 2, 2);
 
   EXPECT_EQ(result.outcome, Outcome::no_finite_point);
@@ -82,7 +72,7 @@ TEST(SegmenterOnDegenerateClouds, RefusesSizesThatDisagree) {
 }
 
 TEST(SegmenterOnDegenerateClouds, LabelsASinglePoint) {
-  const DegenerateResult result = segment({0.1F, 0.2F, 1}, 1, 1);
+  const Segmented result = segment({0.1F, 0.2F, 1}, 1, 1);
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   EXPECT_EQ(result.labels, std::vector<std::uint16_t>{1});
@@ -91,7 +81,7 @@ TEST(SegmenterOnDegenerateClouds, LabelsASinglePoint) {
 }
 
 TEST(SegmenterOnDegenerateClouds, SeparatesTwoPointsThatAreFarApart) {
-  const DegenerateResult result = segment({0, 0, 1, 5, 0, 1}, 2, 1);
+  const Segmented result = segment({0, 0, 1, 5, 0, 1}, 2, 1);
 
   EXPECT_EQ(result.labels, (std::vector<std::uint16_t>{1, 2}));
 }
@@ -100,7 +90,7 @@ TEST(SegmenterOnDegenerateClouds, MakesIdenticalPointsOneSegment) {
   std::vector<float> xyz;
   for (int i = 0; i < 300; ++i) xyz.insert(xyz.end(), {0.5F, -0.5F, 2});
 
-  const DegenerateResult result = segment(xyz, 20, 15);
+  const Segmented result = segment(xyz, 20, 15);
 
   expect_only_measured_points_labelled(xyz, result);
   EXPECT_EQ(result.segmentation.segments.size(), 1U);
@@ -171,8 +161,8 @@ TEST(SegmenterOnDegenerateClouds, RefusesMoreSegmentsThanLabelsCanName) {
     return segment(xyz, static_cast<std::uint32_t>(points), 1, options);
   };
 
-  const DegenerateResult most = scattered(65535);
-  const DegenerateResult too_many = scattered(65536);
+  const Segmented most = scattered(65535);
+  const Segmented too_many = scattered(65536);
 
   EXPECT_EQ(most.outcome, Outcome::segmented);
   EXPECT_EQ(most.segmentation.segments.size(), 65535U);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cleave/evaluation/quality.hpp"
+#include "segment_cloud.hpp"
 #include "tests/support/box_scene.hpp"
 
 namespace cleave::segmentation {
@@ -13,24 +14,11 @@ namespace {
 using evaluation::LabelledCloud;
 using tests::render_touching_boxes;
 
-struct Result {
-  Outcome outcome;
-  std::vector<std::uint16_t> labels;
-  Segmentation segmentation;
-};
-
-Result segment(Segmenter& segmenter, const CloudView& cloud) {
-  Result result;
-  result.labels.assign(cloud.size(), 77);
-  result.outcome = segmenter.segment(cloud, result.labels, result.segmentation);
-  return result;
-}
-
 TEST(Segmenter, FindsTheTableAndTwoTouchingBoxes) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   EXPECT_EQ(result.segmentation.segments.size(), 3U);
@@ -41,7 +29,7 @@ TEST(Segmenter, LabelsExactlyTheFinitePoints) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   for (std::size_t i = 0; i < scene.label.size(); ++i) {
     EXPECT_EQ(result.labels[i] > 0, scene.label[i] > 0);
@@ -52,7 +40,7 @@ TEST(Segmenter, DescribesSegmentsAsTheirLabelsSay) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   std::uint32_t last_count = std::numeric_limits<std::uint32_t>::max();
   for (std::size_t s = 0; s < result.segmentation.segments.size(); ++s) {
@@ -88,7 +76,7 @@ TEST(Segmenter, MeasuresTheTablesPlaneAndTheLowBoxesSize) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   std::map<std::uint16_t, std::map<std::uint32_t, int>> votes;
   for (std::size_t i = 0; i < scene.label.size(); ++i) ++votes[result.labels[i]][scene.label[i]];
@@ -109,7 +97,7 @@ TEST(Segmenter, CallsTheBordersOfBoxesWithTheTableConcave) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   constexpr std::uint16_t table = 1;
   ASSERT_EQ(result.segmentation.borders.size(), 3U);
@@ -157,7 +145,7 @@ TEST(Segmenter, SegmentsAnUnorganisedCloud) {
   const CloudView unorganised{scene.xyz.data(), 3, scene.width * scene.height, 1};
   Segmenter segmenter;
 
-  const Result result = segment(segmenter, unorganised);
+  const Segmented result = segment(segmenter, unorganised);
 
   ASSERT_EQ(result.outcome, Outcome::segmented);
   ASSERT_EQ(result.segmentation.segments.size(), 3U);
@@ -169,7 +157,7 @@ TEST(Segmenter, SegmentsWithEveryOptionalStepOff) {
   const LabelledCloud scene = render_touching_boxes();
   Segmenter segmenter(thesis());
 
-  const Result result = segment(segmenter, scene.view());
+  const Segmented result = segment(segmenter, scene.view());
 
   EXPECT_GT(evaluation::judge(scene.label, result.labels).weighted_covering, 0.97);
 }

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "segmentation/result_check.hpp"
-#include "segmentation/segmenter.hpp"
 #include "segmentation/spacing/spacing_options.hpp"
 #include "segmentation/spacing/voxel_fitter.hpp"
 #include "segmentation/voxel_neighbours.hpp"
+#include "segmented.hpp"
 #include "table_cloud.hpp"
 
 namespace cleave::segmentation {
@@ -17,13 +17,6 @@ Options metric() {
   Options options;
   options.voxel.viewpoint = Viewpoint::multiple;
   return options;
-}
-
-Segmentation segment(const CloudView& cloud, const Options& options) {
-  std::vector<std::uint16_t> labels(cloud.size());
-  Segmentation result;
-  EXPECT_EQ(Segmenter(options).segment(cloud, labels, result), Outcome::segmented);
-  return result;
 }
 
 float growth_of(const CloudView& cloud, const VoxelOptions& options) {
@@ -45,7 +38,7 @@ TEST_P(Spacing, OfACloudSetsTheSizeOfVoxels) {
 }
 
 TEST_P(Spacing, DoesNotKeepTheTableAndItsBoxesFromBeingFound) {
-  const Segmentation result = segment(TableCloud(GetParam()).view(), metric());
+  const Segmentation result = segmented(TableCloud(GetParam()).view(), metric()).segmentation;
 
   EXPECT_EQ(result.segments.size(), 4U);
   EXPECT_EQ(doubt_about(result), Doubt::none);

@@ -6,6 +6,7 @@
 #include "tests/support/box_scene.hpp"
 #include "tests/support/data_folder.hpp"
 #include "tests/unit/segmentation/depth_scene.hpp"
+#include "tests/unit/segmentation/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -20,22 +21,11 @@ Scene touching_boxes() {
   return scene_of(cloud.width, cloud.height, cloud.xyz);
 }
 
-// What is in front of a robot's arm: x forward, z up, the camera tilted down.
-Eigen::Isometry3d camera_on_a_robot() {
-  Eigen::Matrix3d axes;
-  axes << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.translate(Eigen::Vector3d(0.2, 0.1, 1.1));
-  pose.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()));
-  pose.rotate(axes);
-  return pose;
-}
-
 void expect_same_labels_in_all_orders(const Scene& scene) {
-  const SegmentedScene upright = segmented(scene.view());
+  const Segmented upright = segmented(scene.view());
   for (const StorageOrder& order : all_storage_orders()) {
     const Scene other = stored(scene, order);
-    const SegmentedScene result = segmented(other.view());
+    const Segmented result = segmented(other.view());
     for (std::size_t i = 0; i < other.index.size(); ++i) {
       ASSERT_EQ(result.labels[i], upright.labels[other.index[i]]) << i;
     }
@@ -62,7 +52,7 @@ TEST(ImageLayout, OfAnyStorageOrderGetsRectanglesInItsOwnColumnsAndRows) {
   const Scene scene = touching_boxes();
   for (const StorageOrder& order : all_storage_orders()) {
     const Scene other = stored(scene, order);
-    const SegmentedScene result = segmented(other.view());
+    const Segmented result = segmented(other.view());
     std::vector<ImageRectangle> seen(result.segmentation.segments.size(),
                                      {other.width, other.height, 0, 0});
     for (std::uint32_t row = 0; row < other.height; ++row) {
@@ -86,7 +76,7 @@ TEST(ImageLayout, OfAnyStorageOrderGetsRectanglesInItsOwnColumnsAndRows) {
 
 TEST(ImageLayout, InAnotherFrameAndStorageOrderGetsTheSameSegments) {
   for (const Scene& scene : {noisy_boxes(), touching_boxes()}) {
-    const SegmentedScene upright = segmented(scene.view());
+    const Segmented upright = segmented(scene.view());
     for (const StorageOrder& order : all_storage_orders()) {
       const Scene other = stored(moved(scene, camera_on_a_robot()), order);
       EXPECT_GE(agreement(upright.labels, other, segmented(other.view()).labels), 0.995);
@@ -97,7 +87,7 @@ TEST(ImageLayout, InAnotherFrameAndStorageOrderGetsTheSameSegments) {
 // `least`: what a coarser or smaller image may differ along borders.
 void expect_alike(const Scene& whole, const Scene& part, double least) {
   SCOPED_TRACE(testing::Message() << part.width << " x " << part.height);
-  const SegmentedScene result = segmented(whole.view());
+  const Segmented result = segmented(whole.view());
   EXPECT_GE(agreement(result.labels, part, segmented(part.view()).labels), least);
   const Scene on_robot = moved(part, camera_on_a_robot());
   EXPECT_GE(agreement(result.labels, on_robot, segmented(on_robot.view()).labels), least);

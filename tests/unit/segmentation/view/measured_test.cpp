@@ -6,6 +6,7 @@
 
 #include "stored_scene.hpp"
 #include "tests/unit/segmentation/depth_scene.hpp"
+#include "tests/unit/segmentation/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {

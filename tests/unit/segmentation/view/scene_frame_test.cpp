@@ -4,6 +4,7 @@
 
 #include "stored_scene.hpp"
 #include "tests/unit/segmentation/depth_scene.hpp"
+#include "tests/unit/segmentation/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -41,7 +42,7 @@ SensorPose sensor_pose(const Eigen::Isometry3d& pose) {
 TEST(SceneFrame, OfAnImageMayBeAny) {
   Eigen::Matrix3d z_backward = Eigen::Vector3d(1, -1, -1).asDiagonal();
   const Scene scene = boxes();
-  const SegmentedScene own = segmented(scene.view());
+  const Segmented own = segmented(scene.view());
   for (const Eigen::Isometry3d& pose :
        {pose_at({0, 0, 0}, z_backward), pose_at({0.2, 0.1, 1.1}, looking_forward()),
         pose_at({0.2, 0.1, 1.1}, somewhere()), pose_at({100, 200, 1}, somewhere()),
@@ -81,7 +82,7 @@ TEST(SceneFrame, IsThatOfTheSegments) {
 TEST(SceneFrame, OfAnUnorganisedCloudMayBeAnyIfThePoseIsKnown) {
   const Scene scene = boxes();
   const CloudView flat{scene.xyz.data(), 3, scene.width * scene.height, 1};
-  const SegmentedScene own = segmented(flat);
+  const Segmented own = segmented(flat);
   const Eigen::Isometry3d pose = pose_at({100, 200, 1}, somewhere());
   const Scene other = moved(scene, pose);
   CloudView view{other.xyz.data(), 3, scene.width * scene.height, 1};
@@ -94,14 +95,7 @@ TEST(SceneFrame, OfAnUnorganisedCloudMayBeAnyIfThePoseIsKnown) {
 }
 
 TEST(SceneFrame, OfAPlaneMayBeAny) {
-  Scene scene = boxes();
-  for (std::size_t i = 0; i < scene.index.size(); ++i) {
-    const double u = (static_cast<double>(i % scene.width) - 79.5) / 525;
-    const double v = (static_cast<double>(i / scene.width) - 59.5) / 525;
-    const double z = 1 / (1 + 1.5 * v + 0.3 * u);
-    const Eigen::Vector3d point(u * z, v * z, z);
-    Eigen::Map<Eigen::Vector3f>(&scene.xyz[3 * i]) = point.cast<float>();
-  }
+  const Scene scene = tilted_plane();
   for (const StorageOrder& order : all_storage_orders()) {
     const Scene other = stored(moved(scene, pose_at({0.2, 0.1, 1.1}, somewhere())), order);
     EXPECT_EQ(segmented(other.view()).segmentation.segments.size(), 1U);

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
-#include "stored_scene.hpp"
 #include "tests/unit/segmentation/depth_scene.hpp"
 
 namespace cleave::segmentation {

@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "segmentation/segmenter.hpp"
+#include "segmentation/cloud_view.hpp"
 #include "segmentation/view/storage_order.hpp"
+#include "tests/unit/segmentation/depth_scene.hpp"
 
 namespace cleave::segmentation {
 
@@ -25,6 +26,19 @@ struct Scene {
                                     std::vector<float> xyz) {
   Scene scene{width, height, std::move(xyz), {}};
   for (std::size_t i = 0; i < scene.view().size(); ++i) scene.index.push_back(i);
+  return scene;
+}
+
+// All that a camera sees is one plane.
+[[nodiscard]] inline Scene tilted_plane() {
+  Scene scene = scene_of(160, 120, std::vector<float>(3 * 160 * 120));
+  for (std::size_t i = 0; i < scene.index.size(); ++i) {
+    const double u = (static_cast<double>(i % scene.width) - 79.5) / 525;
+    const double v = (static_cast<double>(i / scene.width) - 59.5) / 525;
+    const double z = 1 / (1 + 1.5 * v + 0.3 * u);
+    const Eigen::Vector3d point(u * z, v * z, z);
+    Eigen::Map<Eigen::Vector3f>(&scene.xyz[3 * i]) = point.cast<float>();
+  }
   return scene;
 }
 
@@ -71,16 +85,15 @@ template <class ChooseColumn, class ChooseRow>
   return scene;
 }
 
-struct SegmentedScene {
-  std::vector<std::uint16_t> labels;
-  Segmentation segmentation;
-};
-
-[[nodiscard]] inline SegmentedScene segmented(const CloudView& cloud, const Options& options = {}) {
-  SegmentedScene result;
-  result.labels.resize(cloud.size());
-  (void)Segmenter(options).segment(cloud, result.labels, result.segmentation);
-  return result;
+// What is in front of a robot's arm: x forward, z up, the camera tilted down.
+[[nodiscard]] inline Eigen::Isometry3d camera_on_a_robot() {
+  Eigen::Matrix3d axes;
+  axes << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(0.2, 0.1, 1.1));
+  pose.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitY()));
+  pose.rotate(axes);
+  return pose;
 }
 
 // Share of the points of `part` that lie in the segment in which most of their segment's points
@@ -114,6 +127,19 @@ inline std::vector<StorageOrder> all_storage_orders() {
     }
   }
   return orders;
+}
+
+// Images whose camera has to be found: boxes, and a plane, in another storage order each.
+[[nodiscard]] inline std::vector<Scene> scenes_on_a_robot() {
+  std::vector<Scene> scenes;
+  for (const StorageOrder& order : all_storage_orders()) {
+    const DepthScene boxes(static_cast<unsigned>(scenes.size()));
+    const Scene scene = scene_of(boxes.width, boxes.height, boxes.xyz);
+    for (const Scene& seen : {scene, tilted_plane()}) {
+      scenes.push_back(stored(moved(seen, camera_on_a_robot()), order));
+    }
+  }
+  return scenes;
 }
 
 }  // namespace cleave::segmentation
