@@ -14,7 +14,7 @@ namespace cleave::recording {
 namespace {
 
 template <class Number>
-Number read_number(const char* word, char type) {
+Number read_number(const std::string& word, char type) {
   Number value{};
   std::array<std::uint8_t, 8> bytes{};
   const PcdField field{"a", type, sizeof(Number), 1};
