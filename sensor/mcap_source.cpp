@@ -17,7 +17,7 @@ using recording::AheadFrame;
 using recording::ReadAhead;
 
 constexpr std::chrono::seconds first_frame_patience{10};
-constexpr char too_large[] = "more than 640 x 480 points";
+constexpr char too_large[] = "too many points";
 
 const recording::Cloud& cloud_of(const AheadFrame& ahead) {
   return std::get<recording::Cloud>(ahead.frame.content);
@@ -89,9 +89,10 @@ ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame
     if (header.points() <= max_points_) return result;
     if (++unusable_[too_large] > 1) continue;
     spdlog::warn(
-        "{}: skipped: {} x {} points, more than the 640 x 480 that the stream carries; "
-        "--decimate 2 makes four into one",
-        path_.string(), header.width, header.height);
+        "{}: skipped: {} x {} points, more than the {} that the stream can take; a larger "
+        "--decimate "
+        "makes fewer of them",
+        path_.string(), header.width, header.height, max_points_);
   }
 }
 

@@ -2,6 +2,7 @@
 // as PointCloud2, as 16UC1 and as 32FC1 it has the same segments.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <span>
 
@@ -19,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using Labels = std::vector<std::uint16_t>;
 
-// Of the points that have a label in both, the share that the best partner of their segment has.
-double agreement(const Labels& a, const Labels& b) {
+// Of the points that have a label in either, the share that the best partner of their segment in
+// `a` has.
+double covered(const Labels& a, const Labels& b) {
   std::map<std::uint16_t, std::map<std::uint16_t, std::size_t>> overlaps;
   std::size_t total = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -35,6 +37,11 @@ double agreement(const Labels& a, const Labels& b) {
     agreed += best;
   }
   return static_cast<double>(agreed) / static_cast<double>(total);
+}
+
+// Neither has segments that are parts of the other's, or several of them in one.
+double agreement(const Labels& a, const Labels& b) {
+  return std::min(covered(a, b), covered(b, a));
 }
 
 class RosBag : public testing::Test {

@@ -119,7 +119,11 @@ Json json_of(const std::vector<recording::Attachment>& attachments) {
 Json json_of(const McapReader& reader, const Totals& totals) {
   const recording::Contents& contents = reader.contents();
   Json metadata = Json::object();
-  for (const auto& record : contents.metadata) metadata[record.name] = record.entries;
+  Json records = Json::array();
+  for (const auto& record : contents.metadata) {
+    metadata[record.name] = record.entries;  // of several records of one name, the last
+    records.push_back({{"name", record.name}, {"entries", record.entries}});
+  }
   return {{"bytes", reader.size_bytes()},
           {"complete", is_whole(reader)},
           {"closed", contents.closed},
@@ -131,12 +135,12 @@ Json json_of(const McapReader& reader, const Totals& totals) {
           {"channel_count", reader.channels().size()},
           {"attachment_count", contents.attachments.size()},
           {"metadata_count", contents.metadata.size()},
-          {"chunk_count", chunks_of(contents)},
           {"private_records", contents.private_records},
           {"unknown_records", contents.unknown_records},
           {"topics", json_of(totals.topics)},
           {"attachments", json_of(contents.attachments)},
           {"metadata", metadata},
+          {"metadata_records", records},
           {"problems", reader.problems()}};
 }
 
@@ -216,6 +220,8 @@ void add_info_command(CLI::App& app, Action& action) {
       "recorder closed and of which all was read. Sizes by topic are those before compression.\n"
       "Of every topic it says whether its messages can be clouds for convert, verify, segment and\n"
       "cleave-grabber (FILE?topic=TOPIC names one), or why not.\n"
+      "In JSON, `metadata` has the entries by the record's name, the last record's where several\n"
+      "have one name; `metadata_records` lists them all.\n"
       "Exit code 1: the file is damaged.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

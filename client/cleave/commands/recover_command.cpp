@@ -20,7 +20,7 @@ struct RecoverOptions {
 int run(const RecoverOptions& options) {
   refuse_existing(options.output);
   const recording::Recovery recovery = recording::recover(options.damaged, options.output);
-  for (const std::string& problem : recovery.problems) spdlog::warn("damaged: {}", problem);
+  for (const std::string& problem : recovery.problems.texts()) spdlog::warn("damaged: {}", problem);
   const std::uint64_t kept = recovery.messages + recovery.attachments + recovery.metadata;
   if (kept == 0 && !recovery.problems.empty()) {
     std::filesystem::remove(options.output);
@@ -28,7 +28,7 @@ int run(const RecoverOptions& options) {
   }
   std::cout << options.output << ": " << recovery.messages << " messages, " << recovery.attachments
             << " attachments, " << recovery.metadata << " metadata records, "
-            << recovery.problems.size() << " damaged places left out\n";
+            << recovery.problems.count() << " damaged places left out\n";
   return exit_done;
 }
 

@@ -1,5 +1,9 @@
 #include "cleave/recording/verification.hpp"
 
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "recording/error.hpp"
@@ -22,12 +26,19 @@ std::string size_problem(const recording::FrameHeader& header) {
          " x " + std::to_string(header.height) + " points, more than 640 x 480";
 }
 
-// Calls on_frame for every cloud of the recording, in order. What could not be read.
-std::vector<std::string> segment_all(const recording::FileTopic& input, OfflineSegmenter& segmenter,
-                                     const std::function<void(Segmented)>& on_frame,
-                                     const std::function<void(std::size_t)>& on_progress) {
-  const auto reader = recording::open_frames(input, {recording::Kind::cloud});
+// Clouds of a recording that were not segmented, and why.
+struct LeftOut {
+  std::vector<std::string> unread;
   std::vector<std::string> too_large;
+};
+
+// Calls on_frame for every other cloud of the recording, in order.
+LeftOut segment_all(const recording::FileTopic& input, OfflineSegmenter& segmenter,
+                    const std::function<void(Segmented)>& on_frame,
+                    const std::function<void(std::size_t)>& on_progress) {
+  const auto reader = recording::open_frames(input, {recording::Kind::cloud});
+  for (const std::string& remark : reader->remarks()) spdlog::warn("{}", remark);
+  LeftOut left_out;
   std::size_t done = 0;
   bool more = true;
   while (more) {
@@ -38,7 +49,7 @@ std::vector<std::string> segment_all(const recording::FileTopic& input, OfflineS
       more = frame.has_value();
       if (!more) break;
       if (frame->header().points() > recording::capacity_points) {
-        too_large.push_back(size_problem(frame->header()));
+        left_out.too_large.push_back(size_problem(frame->header()));
         continue;
       }
       times_ns.push_back(frame->log_time_ns);
@@ -51,9 +62,8 @@ std::vector<std::string> segment_all(const recording::FileTopic& input, OfflineS
     done += results.size();
     on_progress(done);
   }
-  std::vector<std::string> problems = reader->problems();
-  problems.insert(problems.end(), too_large.begin(), too_large.end());
-  return problems;
+  left_out.unread = reader->problems();
+  return left_out;
 }
 
 }  // namespace
@@ -78,7 +88,9 @@ VerificationResult verify(const recording::FileTopic& input, const std::filesyst
     ++result.different;
     on_difference({header, std::move(lines)});
   };
-  result.problems = segment_all(input, segmenter, compare, on_progress);
+  LeftOut left_out = segment_all(input, segmenter, compare, on_progress);
+  result.problems = std::move(left_out.unread);
+  std::ranges::move(left_out.too_large, std::back_inserter(result.problems));
   result.missing = expected.left();
   for (std::string& problem : expected.problems()) {
     result.problems.push_back(golden.string() + ": " + std::move(problem));
@@ -99,10 +111,15 @@ std::size_t write_golden(const recording::FileTopic& input, const std::filesyste
       writer.write({frame.log_time_ns, std::move(frame.result.list)});
       ++frames;
     };
-    const auto problems = segment_all(input, segmenter, write, on_progress);
-    if (!problems.empty()) {
-      throw recording::FileError(input.file.string() + ": a cloud could not be read: " +
-                                 problems.front() + "; `cleave recover` keeps what is intact");
+    const LeftOut left_out = segment_all(input, segmenter, write, on_progress);
+    if (!left_out.unread.empty()) {
+      throw recording::FileError(input.file.string() +
+                                 ": a cloud could not be read: " + left_out.unread.front() +
+                                 "; `cleave recover` keeps what is intact");
+    }
+    if (!left_out.too_large.empty()) {
+      throw recording::FileError(input.file.string() + ": " + left_out.too_large.front() +
+                                 "; `cleave convert --decimate 2` makes four points into one");
     }
     if (frames == 0) {
       throw recording::FileError(

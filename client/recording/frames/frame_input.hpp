@@ -22,9 +22,9 @@ class FrameInput {
   [[nodiscard]] virtual std::optional<Frame> next() = 0;
   // Begins again.
   virtual void rewind() = 0;
-  // What was passed over, and why.
+  // What was passed over, and why: the first 1000 of the container and of the frames. A copy.
   [[nodiscard]] virtual std::vector<std::string> problems() const = 0;
-  // How much of it, by cause.
+  // How much of it, by cause: all of it.
   [[nodiscard]] virtual std::map<std::string, std::uint64_t> losses() const = 0;
   // What a user should know of all the frames.
   [[nodiscard]] virtual std::vector<std::string> remarks() const { return {}; }

@@ -15,8 +15,6 @@ namespace cleave::recording {
 namespace {
 
 constexpr std::string_view prefix = "cleave/";
-// A file that is damaged all over must not fill the memory with what is wrong with it.
-constexpr std::size_t most_problems = 1000;
 
 struct TopicName {
   std::string sensor;
@@ -68,12 +66,12 @@ double FrameReader::duration_s() const {
 
 std::vector<std::string> FrameReader::problems() const {
   std::vector<std::string> all = mcap_.problems();
-  all.insert(all.end(), problems_.begin(), problems_.end());
+  all.insert(all.end(), problems_.texts().begin(), problems_.texts().end());
   return all;
 }
 
 std::map<std::string, std::uint64_t> FrameReader::losses() const {
-  const std::uint64_t damaged = problems().size();
+  const std::uint64_t damaged = mcap_.contents().problems.count() + problems_.count();
   if (damaged == 0) return {};
   return {{"damaged", damaged}};
 }
@@ -83,10 +81,8 @@ std::optional<Frame> FrameReader::next() {
     try {
       if (auto frame = add(*message)) return frame;
     } catch (const DataError& error) {
-      if (problems_.size() < most_problems) {
-        problems_.push_back(message->channel->topic + ", message " +
-                            std::to_string(message->sequence) + ": " + error.what());
-      }
+      problems_.add(message->channel->topic + ", message " + std::to_string(message->sequence) +
+                    ": " + error.what());
     }
   }
   return std::nullopt;
@@ -134,8 +130,7 @@ void FrameReader::check_contract(const Schema& schema) {
   if (known->second) return;
   throw DataError(
       "it was recorded with another version of the contract (idl/cleave_v1.idl); replay it with "
-      "the "
-      "version of Cleave that recorded it");
+      "the version of Cleave that recorded it");
 }
 
 Cloud FrameReader::complete_cloud(const Message& message, Parts& parts) const {

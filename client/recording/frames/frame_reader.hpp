@@ -13,6 +13,7 @@
 #include "recording/frames/frame_input.hpp"
 #include "recording/frames/ros_messages.hpp"
 #include "recording/mcap/reader.hpp"
+#include "recording/problems.hpp"
 
 namespace cleave::recording {
 
@@ -26,7 +27,8 @@ struct Selection {
 };
 
 // Frames come in the order of their log times. Frames that are damaged are passed over and
-// named in problems(); messages of other recorders, too, without a word. Deterministic.
+// named in problems() and counted in losses(); messages of other recorders, too, without a word.
+// Deterministic.
 class FrameReader : public FrameInput {
  public:
   // Throws FileError: it cannot be opened, is no MCAP, or holds nothing at all.
@@ -61,7 +63,7 @@ class FrameReader : public FrameInput {
   Selection selection_;
   std::map<std::string, Parts> parts_;  // by sensor
   std::map<const Schema*, bool> of_this_contract_;
-  std::vector<std::string> problems_;  // beyond the container's
+  Problems problems_;  // beyond the container's
 };
 
 // The sensors whose clouds, label maps or segment lists a complete recording holds; empty for one

@@ -13,6 +13,9 @@ namespace {
 // Messages outside of chunks are read together, up to so many bytes.
 constexpr std::uint64_t loose_bytes = std::uint64_t{4} << 20U;
 
+// So often as all of a file may be read again in looking for records in those that are damaged.
+constexpr std::uint64_t times_read_again = 8;
+
 void check_magic(const InputFile& file) {
   Bytes start(std::min<std::uint64_t>(mcap_magic.size(), file.size()));
   file.read(0, start);
@@ -49,19 +52,26 @@ class Walk {
       return go_on_behind(error.what());
     }
     offset_ = record.end();
-    // A record that is none of those that it seems to be may lie about its length, too.
-    resume_ = record.offset + 1;
     try {
       resume_ = take(record);
     } catch (const DataError& error) {
-      contents_.note("at byte " + std::to_string(record.offset) + ": " + error.what());
+      contents_.problems.add("at byte " + std::to_string(record.offset) + ": " + error.what());
+      resume_ = may_read_again(record.length) ? record.offset + 1 : record.end();
     }
+  }
+
+  // A record that is none of those that it seems to be may lie about its length, too: others are
+  // looked for in what it spans. Not without end, for each of these may be as long as the file.
+  bool may_read_again(std::uint64_t bytes) {
+    if (bytes > left_to_read_again_) return false;
+    left_to_read_again_ -= bytes;
+    return true;
   }
 
   void go_on_behind(const std::string& damage) {
     const Sought sought = has_chunks_ ? Sought::not_in_chunks : Sought::any;
     const std::uint64_t next = find_record(file_, resume_, sought).value_or(file_.size());
-    contents_.note(
+    contents_.problems.add(
         "at byte " + std::to_string(offset_) + ": " + damage +
         (next < file_.size() ? "; reading goes on at byte " + std::to_string(next) : ""));
     offset_ = next;
@@ -159,7 +169,7 @@ class Walk {
     source.skip(source.number<std::uint32_t>());
     source.skip(source.number<std::uint64_t>());
     contents_.chunks.push_back(
-        {record.offset, record.end() - record.offset, start_ns, end_ns, false});
+        {record.offset, source.offset() - record.offset, start_ns, end_ns, false});
     has_chunks_ = true;
     return source.offset();
   }
@@ -203,8 +213,8 @@ class Walk {
     contents_.closed = left >= mcap_magic.size();
     if (!contents_.closed) throw DataError("the file ends within its last 8 bytes");
     if (left > mcap_magic.size()) {
-      contents_.note("at byte " + std::to_string(offset + mcap_magic.size()) +
-                     ": the recording ends, and something else follows");
+      contents_.problems.add("at byte " + std::to_string(offset + mcap_magic.size()) +
+                             ": the recording ends, and something else follows");
     }
   }
 
@@ -228,6 +238,7 @@ class Walk {
   Contents contents_;
   std::uint64_t offset_ = mcap_magic.size();  // of the next record
   std::uint64_t resume_ = mcap_magic.size();  // from where one is looked for if none is there
+  std::uint64_t left_to_read_again_ = times_read_again * file_.size();
   bool has_chunks_ = false;
   bool ended_ = false;
 };

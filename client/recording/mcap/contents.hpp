@@ -5,11 +5,11 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "recording/mcap/format.hpp"
 #include "recording/mcap/input_file.hpp"
+#include "recording/problems.hpp"
 
 namespace cleave::recording {
 
@@ -31,13 +31,7 @@ struct Contents {
   // Records that are passed over: of applications, and of opcodes that the format does not have.
   std::uint64_t private_records = 0;
   std::uint64_t unknown_records = 0;
-  std::vector<std::string> problems;  // damage that was met, with its offset
-
-  // Takes note of damage; a file that is damaged all over must not fill the memory with it.
-  void note(std::string problem) {
-    constexpr std::size_t most_problems = 1000;
-    if (problems.size() < most_problems) problems.push_back(std::move(problem));
-  }
+  Problems problems;  // damage that was met, with its offset
 };
 
 // No index is asked: it need not be there, or list everything. The data of chunks, messages and

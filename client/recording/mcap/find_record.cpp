@@ -63,15 +63,17 @@ bool is_compressed_chunk(const InputFile& file, std::uint64_t offset, const Pref
   return name == "zstd" || name == "lz4";
 }
 
-// The file ends here, or so many records follow.
-bool is_followed(const InputFile& file, std::uint64_t offset, int records) {
+// Behind a record of this opcode: the file ends here, or so many records follow.
+bool is_followed(const InputFile& file, Opcode last, std::uint64_t offset, int records) {
   for (; records > 0 && offset != file.size(); --records) {
     if (offset + mcap_magic.size() == file.size()) {
-      return std::ranges::equal(file.read(offset, mcap_magic.size()), bytes_of(mcap_magic));
+      return last == Opcode::footer &&
+             std::ranges::equal(file.read(offset, mcap_magic.size()), bytes_of(mcap_magic));
     }
     if (offset + record_prefix_bytes > file.size()) return false;
     const Prefix prefix = prefix_of(file.read(offset, record_prefix_bytes));
     if (!may_follow(prefix, offset, file.size())) return false;
+    last = prefix.opcode;
     offset += record_prefix_bytes + prefix.length;
   }
   return true;
@@ -80,14 +82,18 @@ bool is_followed(const InputFile& file, std::uint64_t offset, int records) {
 bool begins(const InputFile& file, std::uint64_t offset, const Prefix& prefix) {
   if (!fits(prefix, offset, file.size())) return false;
   return is_compressed_chunk(file, offset, prefix) ||
-         is_followed(file, offset + record_prefix_bytes + prefix.length, records_to_follow);
+         is_followed(file, prefix.opcode, offset + record_prefix_bytes + prefix.length,
+                     records_to_follow);
 }
 
 }  // namespace
 
 std::optional<std::uint64_t> find_record(const InputFile& file, std::uint64_t offset,
                                          Sought sought) {
-  constexpr std::uint64_t window = std::uint64_t{1} << 20U;
+  // Most records are near, and where damage is all over, there are many to look for.
+  constexpr std::uint64_t smallest_window = 256;
+  constexpr std::uint64_t largest_window = std::uint64_t{1} << 20U;
+  std::uint64_t window = smallest_window;
   while (offset + record_prefix_bytes <= file.size()) {
     const Bytes bytes = file.read(offset, std::min(window, file.size() - offset));
     const std::size_t places = bytes.size() - record_prefix_bytes + 1;
@@ -97,6 +103,7 @@ std::optional<std::uint64_t> find_record(const InputFile& file, std::uint64_t of
       if (begins(file, offset + i, prefix)) return offset + i;
     }
     offset += places;
+    window = std::min(2 * window, largest_window);
   }
   return std::nullopt;
 }

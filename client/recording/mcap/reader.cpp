@@ -124,8 +124,8 @@ void McapReader::leave_message() {
 
 void McapReader::note(std::size_t number, const std::string& damage) {
   const ChunkPlace& place = contents_.chunks[number];
-  contents_.note((place.loose ? "messages at byte " : "chunk at byte ") +
-                 std::to_string(place.offset) + ": " + damage);
+  contents_.problems.add((place.loose ? "messages at byte " : "chunk at byte ") +
+                         std::to_string(place.offset) + ": " + damage);
 }
 
 // What was said first holds: messages handed out point to it.

@@ -54,8 +54,10 @@ class McapReader {
   }
 
   [[nodiscard]] const Contents& contents() const { return contents_; }
-  // Damage met so far, with byte offsets. Empty for a file that is whole.
-  [[nodiscard]] const std::vector<std::string>& problems() const { return contents_.problems; }
+  // Damage met so far, with byte offsets; contents() counts it. Empty for a file that is whole.
+  [[nodiscard]] const std::vector<std::string>& problems() const {
+    return contents_.problems.texts();
+  }
   [[nodiscard]] std::uint64_t size_bytes() const { return file_.size(); }
   // Of the messages read so far, and of all of them where chunks are not the only place.
   [[nodiscard]] const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }

@@ -25,9 +25,10 @@ class Copy {
     for (const auto& [id, channel] : from_.channels()) declare(channel);
     to_.close();
     from_.check_totals(result_.messages);
-    result_.problems.insert(result_.problems.begin(), from_.problems().begin(),
-                            from_.problems().end());
-    return std::move(result_);
+    Problems problems = from_.contents().problems;
+    problems.add(result_.problems);
+    result_.problems = std::move(problems);
+    return result_;
   }
 
  private:
@@ -73,8 +74,8 @@ class Copy {
       to_.add_attachment(attachment, from_.read(attachment));
       ++result_.attachments;
     } catch (const DataError& error) {
-      result_.problems.push_back("attachment '" + attachment.name + "' at byte " +
-                                 std::to_string(attachment.offset) + ": " + error.what());
+      result_.problems.add("attachment '" + attachment.name + "' at byte " +
+                           std::to_string(attachment.offset) + ": " + error.what());
     }
   }
 

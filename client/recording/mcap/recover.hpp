@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
-#include <vector>
+
+#include "recording/problems.hpp"
 
 namespace cleave::recording {
 
@@ -12,7 +12,7 @@ struct Recovery {
   std::uint64_t messages = 0;
   std::uint64_t attachments = 0;
   std::uint64_t metadata = 0;
-  std::vector<std::string> problems;  // what is damaged, with byte offsets; empty = nothing
+  Problems problems;  // what is damaged, with byte offsets
 };
 
 // Copies every message, attachment and metadata record that is intact into a new file, in the order

@@ -25,8 +25,8 @@ void check(std::uint32_t announced, std::uint32_t found) {
 
 void compare(Contents& contents, const char* what, std::uint64_t announced, std::uint64_t found) {
   if (announced == found) return;
-  contents.note("its statistics announce " + std::to_string(announced) + " " + what + ", and " +
-                std::to_string(found) + " are there");
+  contents.problems.add("its statistics announce " + std::to_string(announced) + " " + what +
+                        ", and " + std::to_string(found) + " are there");
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ void check_attachments(const InputFile& file, Contents& contents) {
       check(FieldSource(file, part.end, sizeof(std::uint32_t)).number<std::uint32_t>(),
             crc32_of(file, part.begin, part.end));
     } catch (const DataError& error) {
-      contents.note("attachment '" + attachment.name + "' at byte " +
-                    std::to_string(attachment.offset) + ": " + error.what());
+      contents.problems.add("attachment '" + attachment.name + "' at byte " +
+                            std::to_string(attachment.offset) + ": " + error.what());
     }
   }
 }
@@ -64,7 +64,8 @@ void check_attachments(const InputFile& file, Contents& contents) {
 void check_totals(const InputFile& file, Contents& contents, std::uint64_t messages) {
   if (!contents.problems.empty()) return;
   if (contents.data_crc != 0 && crc32_of(file, 0, contents.data_end) != contents.data_crc) {
-    contents.note("the CRC of all its data is wrong: something is changed that no other CRC is of");
+    contents.problems.add(
+        "the CRC of all its data is wrong: something is changed that no other CRC is of");
   }
   if (!contents.statistics) return;
   const Statistics& announced = *contents.statistics;

@@ -62,7 +62,8 @@ Block read_block_sizes(PcdInput& input, const PcdHeader& header) {
                                           std::to_string(header.points()) +
                                           " points can be read; copy or record it again");
   }
-  if (block.unpacked / lzf_largest_ratio > block.packed) {
+  // liblzf reads a first byte whether there is one or not.
+  if (block.packed == 0 || block.unpacked / lzf_largest_ratio > block.packed) {
     input.refuse(PcdCause::damaged_data, packed + "cannot unpack to " +
                                              std::to_string(block.unpacked) +
                                              "; copy or record it again");

@@ -1,8 +1,10 @@
 #include "recording/pcd/number.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 namespace cleave::recording {
@@ -23,14 +25,31 @@ Parsed<Number> parse(std::string_view word) {
   return parsed;
 }
 
+// Of a number that double has no room for: is it too large, and not too small? The power of ten of
+// its first digit tells.
+bool is_huge(std::string_view word) {
+  const std::size_t e = word.find_first_of("eE");
+  const std::string_view digits = word.substr(0, e);
+  std::int64_t exponent = 0;
+  if (e != std::string_view::npos) {
+    word.remove_prefix(e + 1);
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto parsed = parse<std::int32_t>(word);
+    if (parsed.error == std::errc::result_out_of_range) return !word.starts_with('-');
+    exponent = parsed.value;
+  }
+  const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+  const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+  return point - first + exponent > 0;
+}
+
 // A number beyond the range of double becomes an infinity, or 0 below it.
 std::optional<double> real(std::string_view word) {
   const auto parsed = parse<double>(word);
   if (parsed.error == std::errc()) return parsed.value;
   if (parsed.error != std::errc::result_out_of_range) return std::nullopt;
-  const auto wider = parse<long double>(word);
-  if (wider.error != std::errc()) return std::nullopt;
-  return static_cast<double>(wider.value);
+  const double value = is_huge(word) ? std::numeric_limits<double>::infinity() : 0;
+  return word.starts_with('-') ? -value : value;
 }
 
 template <class Number>

@@ -10,8 +10,6 @@
 namespace cleave::recording::ros {
 namespace {
 
-// A topic that is unusable all over must not fill the memory with why.
-constexpr std::size_t most_problems = 1000;
 // Of the contract.
 constexpr std::size_t longest_name = 63;
 
@@ -74,9 +72,7 @@ void CloudReader::note_camera(const Message& message) {
   try {
     cameras_.add(recorded_camera(message, wire_of(message.channel->message_encoding)));
   } catch (const DataError& error) {
-    if (problems_.size() < most_problems) {
-      problems_.push_back(topic_.camera_topic + ": " + error.what());
-    }
+    problems_.add(topic_.camera_topic + ": " + error.what());
     ++losses_["damaged CameraInfo"];
   }
 }
@@ -126,19 +122,19 @@ const DepthProjection& CloudReader::projection(const Cloud& cloud, const Intrins
 void CloudReader::note_loss(std::uint64_t number, const std::string& cause,
                             const std::string& why) {
   ++losses_[cause];
-  if (problems_.size() >= most_problems) return;
-  problems_.push_back(topic_.topic + ", message " + std::to_string(number) + ": " + why);
+  problems_.add(topic_.topic + ", message " + std::to_string(number) + ": " + why);
 }
 
 std::vector<std::string> CloudReader::problems() const {
   std::vector<std::string> all = mcap_.problems();
-  all.insert(all.end(), problems_.begin(), problems_.end());
+  all.insert(all.end(), problems_.texts().begin(), problems_.texts().end());
   return all;
 }
 
 std::map<std::string, std::uint64_t> CloudReader::losses() const {
   std::map<std::string, std::uint64_t> losses = losses_;
-  if (!mcap_.problems().empty()) losses["damaged"] += mcap_.problems().size();
+  const Problems& damage = mcap_.contents().problems;
+  if (!damage.empty()) losses["damaged"] += damage.count();
   return losses;
 }
 

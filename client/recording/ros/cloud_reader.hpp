@@ -7,6 +7,7 @@
 
 #include "recording/cloud/depth_to_points.hpp"
 #include "recording/frames/frame_input.hpp"
+#include "recording/problems.hpp"
 #include "recording/ros/camera.hpp"
 #include "recording/ros/topic_survey.hpp"
 
@@ -56,7 +57,7 @@ class CloudReader : public FrameInput {
   std::uint32_t width_ = 0;
   std::uint32_t height_ = 0;
 
-  std::vector<std::string> problems_;  // beyond the container's
+  Problems problems_;  // beyond the container's
   std::map<std::string, std::uint64_t> losses_;
 };
 

@@ -17,7 +17,7 @@ using ros::TopicUse;
 
 // Whether the file's other messages can change what is to be opened.
 bool is_decided(const TopicSurvey& survey, const Contents& contents, const std::string& topic) {
-  if (!topic.empty()) return survey.is_settled(topic);
+  if (!topic.empty()) return survey.is_settled(topic) || survey.is_settled("/" + topic);
   if (survey.has_cleave_cloud()) return true;
   // Only an index says which topics there are.
   return !contents.message_counts.empty() &&

@@ -17,7 +17,13 @@ constexpr std::string_view ours = "cleave/";
 // "sensor_msgs/msg/Image", "sensor_msgs/Image" and "sensor_msgs::msg::dds_::Image_" are
 // "sensor_msgs/Image".
 std::string plain_name(std::string type) {
-  for (std::size_t at = 0; (at = type.find("::")) != std::string::npos;) type.replace(at, 2, "/");
+  std::string plain;
+  for (std::size_t at = 0; at < type.size(); ++at) {
+    const bool is_separator = type.compare(at, 2, "::") == 0;
+    plain += is_separator ? '/' : type[at];
+    if (is_separator) ++at;
+  }
+  type = std::move(plain);
   for (const std::string_view part : {"/msg/", "/dds_/"}) {
     const std::size_t at = type.find(part);
     if (at != std::string::npos) type.replace(at, part.size(), "/");
@@ -44,13 +50,12 @@ std::string why_not(const std::string& type) {
   return "is neither PointCloud2 nor Image";
 }
 
-// Empty for a cloud that can be streamed and recorded.
+// Empty for a cloud that can be streamed and recorded as it is.
 std::string too_large(std::uint32_t width, std::uint32_t height) {
   if (std::uint64_t{width} * height <= capacity_points) return "";
   return std::to_string(width) + " x " + std::to_string(height) +
-         " points, more than the 640 x 480 that can be streamed and recorded; `cleave segment` "
-         "takes "
-         "them";
+         " points, more than the 640 x 480 that can be streamed and recorded; --decimate 2 makes "
+         "four into one, and `cleave segment` takes them as they are";
 }
 
 }  // namespace

@@ -66,6 +66,24 @@ TEST_F(ForeignBag, IsConvertedToPcdAndToARecordingOfOurs) {
   EXPECT_EQ(frames[0].header().sensor, "camera");
 }
 
+TEST_F(ForeignBag, IsNoGoldenFileWhereACloudIsTooLargeAndSaysWhatHelps) {
+  const fs::path large = folder_.path() / "large.mcap";
+  const std::vector<float> xyz(std::size_t{3} * 641 * 480, 1.0F);
+  Bag(large)
+      .add("/points", recording::ros::cloud_type, 1000, bytes_of_cloud(cloud_of(xyz, 641, 480)))
+      .close();
+  try {
+    (void)update(large);
+    FAIL() << "a golden file without it would prove nothing of it";
+  } catch (const recording::FileError& error) {
+    const std::string why = error.what();
+    EXPECT_NE(why.find("641 x 480"), std::string::npos) << why;
+    EXPECT_NE(why.find("--decimate 2"), std::string::npos) << why;
+    EXPECT_EQ(why.find("recover"), std::string::npos) << why;
+  }
+  EXPECT_FALSE(fs::exists(golden_));
+}
+
 TEST_F(ForeignBag, LeavesOutWhatARecordingCannotHoldAndKeepsNoEmptyFile) {
   const fs::path large = folder_.path() / "large.mcap";
   Bag(large)

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <vector>
 
 #include "recording/pcd/folder.hpp"
+#include "tests/support/data_folder.hpp"
 #include "tests/unit/recording/pcd_files.hpp"
 
 namespace cleave::sensor {
@@ -173,11 +173,9 @@ TEST(PcdLoader, KeepsWhatFits) {
 }
 
 TEST(PcdSource, PlaysRealScenesWithTheIntrinsicsOfTheirCamera) {
-  const char* const set = std::getenv("CLEAVE_DATA");
-  const std::filesystem::path data = set != nullptr ? set : CLEAVE_SOURCE_DIR "/../shared/data";
-  const std::filesystem::path scene = data / "mosd" / "learn" / "learn0.pcd";
-  if (!std::filesystem::exists(scene)) GTEST_SKIP() << "no data at " << scene;
-  PcdSource source(scene, false);
+  const auto scene = tests::find_data("mosd/learn/learn0.pcd");
+  if (!scene) GTEST_SKIP() << "data/mosd/learn is not here: set CLEAVE_DATA";
+  PcdSource source(*scene, false);
   ASSERT_FALSE(source.open());
   Frame frame;
   ASSERT_EQ(source.next(seconds(10), frame), Poll::frame);

@@ -145,7 +145,7 @@ TEST_F(Mcap, IsMadeWholeByRecover) {
   const std::filesystem::path whole = folder_.path() / "whole.mcap";
   const Recovery recovery = recover(file_, whole);
   EXPECT_EQ(recovery.messages, 8U);
-  EXPECT_EQ(recovery.problems.size(), 1U);
+  EXPECT_EQ(recovery.problems.count(), 1U);
   McapReader reader(whole);
   EXPECT_TRUE(reader.contents().closed);
   EXPECT_EQ(times_of(reader), range(1, 8));

@@ -14,7 +14,7 @@ namespace cleave::recording {
 namespace {
 
 template <class Number>
-Number read_number(const char* word, char type) {
+Number read_number(const std::string& word, char type) {
   Number value{};
   std::array<std::uint8_t, 8> bytes{};
   const PcdField field{"a", type, sizeof(Number), 1};
@@ -50,7 +50,16 @@ TEST(PcdNumber, BeyondTheRangeOfItsTypeIsInfiniteOr0) {
   EXPECT_EQ(read_number<float>("1e300", 'F'), INFINITY);
   EXPECT_EQ(read_number<float>("-1e300", 'F'), -INFINITY);
   EXPECT_EQ(read_number<float>("1e-300", 'F'), 0.0F);
-  EXPECT_EQ(read_number<double>("1e400", 'F'), INFINITY);
+  for (const std::string huge : {"1e400", "1e5000", "1E+99999999999", "0.001e5000"}) {
+    EXPECT_EQ(read_number<double>(huge, 'F'), INFINITY) << huge;
+    EXPECT_EQ(read_number<double>("-" + huge, 'F'), -INFINITY) << huge;
+  }
+  EXPECT_EQ(read_number<double>("1" + std::string(6000, '0'), 'F'), INFINITY);
+  EXPECT_EQ(read_number<double>("1" + std::string(6000, '0') + "e-6000", 'F'), 1);
+  for (const std::string tiny : {"1e-400", "1e-5000", "-1E-99999999999", "1000e-5000"}) {
+    EXPECT_EQ(read_number<double>(tiny, 'F'), 0) << tiny;
+  }
+  EXPECT_EQ(read_number<double>("0." + std::string(6000, '0') + "1", 'F'), 0);
   EXPECT_EQ(read_number<float>("1e-42", 'F'), 1e-42F) << "denormal";
 }
 

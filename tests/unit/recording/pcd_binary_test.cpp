@@ -105,6 +105,26 @@ TEST(PcdCompressed, ThatCannotUnpackToItsSizeIsRefusedBeforeAnythingIsAllocated)
   expect_refused(to_file(pcd), "damaged data", "cannot unpack to 960000000");
 }
 
+TEST(PcdCompressed, OfNothingCannotUnpackToPoints) {
+  PcdText pcd = header_of("binary_compressed");
+  pcd.width = pcd.points = "1";
+  pcd.data = sizes_of_block(0, 12);
+  expect_refused(to_file(pcd), "damaged data", "block of 0 bytes cannot unpack to 12");
+  pcd.data += "abc";
+  expect_refused(to_file(pcd), "damaged data", "block of 0 bytes cannot unpack to 12");
+}
+
+TEST(PcdCompressed, OfAnyFewBytesGivesPointsOrIsDamaged) {
+  PcdText pcd = header_of("binary_compressed");
+  pcd.width = pcd.points = "1";
+  for (std::uint32_t first = 0; first < 256; ++first) {
+    for (std::uint32_t size = 1; size < 4; ++size) {
+      pcd.data = sizes_of_block(size, 12) + std::string(size, static_cast<char>(first));
+      expect_refused(to_file(pcd), "damaged data", "cannot be decoded");
+    }
+  }
+}
+
 TEST(PcdCompressed, ThatRefersToBeforeItsBeginningIsDamaged) {
   std::string body = compressed_body(by_field);
   body[8] = '\xff';

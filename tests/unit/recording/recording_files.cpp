@@ -137,6 +137,14 @@ std::vector<Frame> read_frames(const std::filesystem::path& file) {
   return frames;
 }
 
+std::optional<std::uint64_t> bytes_read_so_far() {
+  std::ifstream counts("/proc/self/io");
+  std::string name;
+  std::uint64_t value = 0;
+  if (counts >> name >> value && name == "rchar:") return value;
+  return std::nullopt;
+}
+
 bool same_points(const std::vector<float>& a, const std::vector<float>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {

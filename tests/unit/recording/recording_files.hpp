@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class TemporaryFolder {
 
 [[nodiscard]] Bytes read_all(const std::filesystem::path& file);
 void write_all(const std::filesystem::path& file, ByteView bytes);
+// By this process, from whatever files; empty where the kernel does not count.
+[[nodiscard]] std::optional<std::uint64_t> bytes_read_so_far();
 
 [[nodiscard]] FrameHeader header(std::uint64_t frame_id, std::uint32_t width, std::uint32_t height);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "recording/frames/frame_writer.hpp"
 #include "recording/ros/topic_survey.hpp"
@@ -75,6 +76,27 @@ TEST_F(OpenFrames, TakesTheOnlyPointCloud2WithItsHeader) {
   EXPECT_EQ(clouds[0].header.capture_time_ns, CloudSpec{}.stamp_ns);
   EXPECT_EQ(clouds[1].xyz, (std::vector<float>{7, 8, 9}));
   EXPECT_EQ(read("points").size(), 2U) << "without the slash";
+}
+
+TEST_F(OpenFrames, ReadsNoMoreOfTheFileForATopicThatIsNamedWithoutItsSlash) {
+  Bag bag(file_);
+  bag.add("/points", cloud_type, start, bytes_of_cloud(cloud_of({1, 2, 3}, 1, 1)));
+  std::mt19937 random(1);
+  for (int i = 1; i <= 20; ++i) {
+    Bytes data(1'000'000);
+    for (std::byte& byte : data) byte = std::byte{static_cast<unsigned char>(random())};
+    bag.add("/other", "std_msgs/msg/String", start + i, data);
+  }
+  bag.close();
+  if (!bytes_read_so_far()) GTEST_SKIP() << "nobody counts the bytes that are read";
+  const auto read_for = [&](const std::string& topic) {
+    const std::uint64_t before = *bytes_read_so_far();
+    (void)open_frames({file_, topic}, {Kind::cloud});
+    return *bytes_read_so_far() - before;
+  };
+  const std::uint64_t with_slash = read_for("/points");
+  EXPECT_LT(with_slash, 10'000'000U);
+  EXPECT_LT(read_for("points"), with_slash + 100'000);
 }
 
 TEST_F(OpenFrames, PairsImagesWithTheCameraInTheirNamespace) {
