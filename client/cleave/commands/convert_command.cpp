@@ -80,7 +80,8 @@ void add_convert_command(CLI::App& app, Action& action) {
       app.add_subcommand("convert", "Between MCAP recordings and PCD files, and from .oni");
   command
       ->add_option("INPUT", options->input,
-                   "recording (.mcap, .mcap?topic=T or .oni), PCD file, or folder of them")
+                   "recording (.mcap, .mcap?topic=T or .oni), PCD file, or\n"
+                   "folder of them")
       ->required();
   command->add_option("OUTPUT", options->output, "recording (.mcap), or a folder for PCD files")
       ->required();
@@ -88,8 +89,8 @@ void add_convert_command(CLI::App& app, Action& action) {
   add_unit_option(*command, options->unit);
   command
       ->add_option("--decimate", options->decimation,
-                   "a block of so many pixels a side becomes one point: for more than\n"
-                   "640 x 480")
+                   "a block of so many pixels a side becomes one point: for\n"
+                   "more than 640 x 480")
       ->check(CLI::Range(1, 4));
   command->footer(
       "Examples:\n"

@@ -125,21 +125,22 @@ void add_segment_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("segment", "Segments a PCD file or a recording, offline");
   command
       ->add_option("INPUT", options->input,
-                   "PCD file with x, y, z, organised or not; or a recording (.mcap,\n"
-                   ".mcap?topic=T, .oni)")
+                   "PCD file with x, y, z, organised or not; or a recording\n"
+                   "(.mcap, .mcap?topic=T, .oni)")
       ->required();
   command
       ->add_option("OUTPUT", options->output,
-                   "PCD file to write: the input with label set; for a recording, a folder for\n"
-                   "all frames")
+                   "PCD file to write: the input with label set; for a\n"
+                   "recording, a folder for all frames")
       ->required();
   command->add_option("--frame", options->frame, "of a recording, this one alone, from 1")
       ->check(CLI::PositiveNumber);
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
   command
       ->add_option("--viewpoint", options->viewpoint,
-                   "where the sensor stood, in the cloud's frame; else as the file's\n"
-                   "VIEWPOINT says, and where that is 0 0 0 1 0 0 0, as the points tell")
+                   "where the sensor stood, in the cloud's frame; else as the\n"
+                   "file's VIEWPOINT says, and where that is 0 0 0 1 0 0 0,\n"
+                   "as the points tell")
       ->type_name("X,Y,Z[,QW,QX,QY,QZ]");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
   add_unit_option(*command, options->unit);

@@ -115,7 +115,8 @@ void add_verify_command(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--expect", options->golden,
-                   "recording with the labels and segments that are right; may be INPUT")
+                   "recording with the labels and segments that are right;\n"
+                   "may be INPUT")
       ->required();
   auto* update = command->add_flag("--update", options->update,
                                    "write what is found now to the --expect file");
