@@ -59,7 +59,9 @@ std::unique_ptr<Source> make_whole(const std::string& uri, const VideoMode& mode
     if (scheme == "pcd" && !rest.empty()) {
       return std::make_unique<PcdSource>(rest, playback.loop, playback.unit, max_points);
     }
-    if (scheme == "oni" && !rest.empty()) return std::make_unique<OniSource>(rest, playback.loop);
+    if (scheme == "oni" && !rest.empty()) {
+      return std::make_unique<OniSource>(rest, playback.loop, max_points);
+    }
     if (scheme == "mcap" && !rest.empty()) return make_mcap(rest, playback, max_points);
   }
   throw std::invalid_argument("source '" + uri + "' is not known. " + sources);

@@ -9,8 +9,8 @@
 
 namespace cleave::sensor {
 
-OniSource::OniSource(const std::filesystem::path& file, bool loop)
-    : path_(std::filesystem::absolute(file)), loop_(loop) {}
+OniSource::OniSource(const std::filesystem::path& file, bool loop, std::uint64_t max_points)
+    : path_(std::filesystem::absolute(file)), loop_(loop), max_points_(max_points) {}
 
 Failure OniSource::open() {
   try {
@@ -20,7 +20,7 @@ Failure OniSource::open() {
   }
   next_ = 0;
   try {
-    camera_.emplace(*reader_);
+    camera_.emplace(*reader_, max_points_);
   } catch (const std::runtime_error& error) {
     return "cannot play the recording '" + path_.string() + "': " + error.what();
   }

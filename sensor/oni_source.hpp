@@ -1,6 +1,7 @@
 // A recording by OpenNI (.oni), as if its camera were there.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -16,9 +17,10 @@ namespace cleave::sensor {
 class OniSource : public Source {
  public:
   // With `loop` it is played again and again.
-  OniSource(const std::filesystem::path& file, bool loop);
+  OniSource(const std::filesystem::path& file, bool loop,
+            std::uint64_t max_points = capacity_points);
 
-  // Fails where the file holds no frame of at most capacity_points, or not the fields of view.
+  // Fails where the file holds no frame of at most `max_points`, or not the fields of view.
   [[nodiscard]] Failure open() override;
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
   void write_points(float* xyz) override;
@@ -32,6 +34,7 @@ class OniSource : public Source {
 
   std::filesystem::path path_;
   bool loop_;
+  std::uint64_t max_points_;
   std::optional<oni::Reader> reader_;
   std::optional<oni::Camera> camera_;
   std::size_t next_ = 0;

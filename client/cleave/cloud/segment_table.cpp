@@ -2,6 +2,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <utility>
+
 #include "cleave/console/table.hpp"
 
 namespace cleave::client {
@@ -68,6 +70,14 @@ Json json_of(const Border& border) {
   return {{"first", border.first},
           {"second", border.second},
           {"kind", border.kind == BorderKind::convex ? "convex" : "concave"}};
+}
+
+Json json_of(const segmentation::Segmentation& segmentation) {
+  Json segments = Json::array();
+  for (const Segment& segment : segmentation.segments) segments.push_back(json_of(segment));
+  Json borders = Json::array();
+  for (const Border& border : segmentation.borders) borders.push_back(json_of(border));
+  return {{"segments", std::move(segments)}, {"borders", std::move(borders)}};
 }
 
 }  // namespace cleave::client

@@ -17,5 +17,7 @@ namespace cleave::client {
 [[nodiscard]] Json json_of(const segmentation::Segment& segment);
 // {"first": .., "second": .., "kind": "concave" or "convex"}
 [[nodiscard]] Json json_of(const segmentation::Border& border);
+// {"segments": [..], "borders": [..]}
+[[nodiscard]] Json json_of(const segmentation::Segmentation& segmentation);
 
 }  // namespace cleave::client

@@ -44,10 +44,9 @@ void add_recover_command(CLI::App& app, Action& action) {
       "Examples:\n"
       "  cleave recover cut_off.mcap whole.mcap\n"
       "\n"
-      "Every chunk whose checksum is right is kept, with attachments and metadata. A recorder that "
-      "was killed, or that met a "
-      "full\n"
-      "disk, loses at most the last chunk: a second, or 4 MB before compression.");
+      "Every chunk whose checksum is right is kept, with attachments and metadata. A recorder\n"
+      "that was killed, or that met a full disk, loses at most the last chunk: a second, or\n"
+      "4 MB before compression.");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "cleave/cloud/option_setter.hpp"
 #include "cleave/cloud/pcd_view.hpp"
@@ -15,6 +17,7 @@
 #include "cleave/cloud/png_file.hpp"
 #include "cleave/cloud/segment_table.hpp"
 #include "cleave/cloud/viewpoint.hpp"
+#include "cleave/cloud/why_not_segmented.hpp"
 #include "cleave/commands/segment_recording.hpp"
 #include "cleave/commands/segmentation_options.hpp"
 #include "cleave/commands/unit_option.hpp"
@@ -28,7 +31,6 @@ namespace cleave::client {
 namespace {
 
 using recording::PcdCloud;
-using segmentation::Outcome;
 using segmentation::Segmentation;
 
 struct SegmentOptions {
@@ -42,7 +44,8 @@ struct SegmentOptions {
   SegmentationArguments segmentation;
 };
 
-segmentation::SensorPose viewpoint_of(const std::string& text) {
+std::optional<segmentation::SensorPose> viewpoint_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
   try {
     return parse_viewpoint(text);
   } catch (const ViewpointError& error) {
@@ -51,27 +54,13 @@ segmentation::SensorPose viewpoint_of(const std::string& text) {
 }
 
 Segmentation segment(const segmentation::CloudView& cloud, std::vector<std::uint16_t>& labels,
-                     const SegmentOptions& options) {
-  segmentation::Segmenter segmenter(options_of(options.segmentation));
+                     const segmentation::Options& settings, const std::string& name) {
+  segmentation::Segmenter segmenter(settings);
   Segmentation result;
-  const Outcome outcome = segmenter.segment(cloud, labels, result);
-  if (outcome == Outcome::no_finite_point) {
-    throw std::runtime_error(
-        options.input +
-        ": no point has coordinates that are finite and not all 0; there is nothing to segment");
-  }
-  if (outcome == Outcome::bad_size) {
-    throw std::runtime_error(options.input + ": the segmentation takes no cloud of this size");
-  }
-  if (outcome == Outcome::too_many_segments) {
-    throw std::runtime_error(
-        options.input +
-        ": falls into more than 65535 segments, which is all that labels can name; set "
-        "clean_up.min_segment_points, or a larger voxel.size_m and "
-        "supervoxel.seed_spacing_m");
-  }
+  const std::string_view why = why_not_segmented(segmenter.segment(cloud, labels, result));
+  if (!why.empty()) throw std::runtime_error(name + ": " + std::string(why));
   const std::string_view advice = segmentation::advice_on(segmentation::doubt_about(result));
-  if (!advice.empty()) spdlog::warn("{}: {}", options.input, advice);
+  if (!advice.empty()) spdlog::warn("{}: {}", name, advice);
   return result;
 }
 
@@ -80,16 +69,10 @@ void print(const Segmentation& result, const PcdCloud& cloud, const SegmentOptio
     std::cout << segment_table(result);
     return;
   }
-  Json segments = Json::array();
-  for (const auto& segment : result.segments) segments.push_back(client::json_of(segment));
-  Json borders = Json::array();
-  for (const auto& border : result.borders) borders.push_back(client::json_of(border));
-  std::cout << one_line({{"input", options.input},
-                         {"output", options.output},
-                         {"points", cloud.header().points()},
-                         {"segments", segments},
-                         {"borders", borders}})
-            << '\n';
+  Json json = {
+      {"input", options.input}, {"output", options.output}, {"points", cloud.header().points()}};
+  json.update(json_of(result));
+  std::cout << one_line(json) << '\n';
 }
 
 // A recording's frames all go to a folder, one to a file.
@@ -97,32 +80,35 @@ bool is_folder(const std::string& output) {
   return std::filesystem::path(output).extension() != ".pcd";
 }
 
-PcdCloud read(const SegmentOptions& options) {
-  if (!is_recording(options.input)) return PcdCloud::read(options.input);
+PcdCloud read_frame(const SegmentOptions& options) {
   const std::uint64_t frame = std::max<std::uint64_t>(options.frame, 1);
   if (options.frame == 0) {
     spdlog::info("{}: frame 1 alone; --frame N takes another, a folder as OUTPUT takes all",
                  options.input);
   }
-  return frame_of_recording(options.input, frame);
+  return frame_of_recording(options.input, options.unit.unit(), frame);
 }
 
 int run(const SegmentOptions& options) {
   if (options.frame > 0 && (!is_recording(options.input) || is_folder(options.output))) {
     throw UsageError("--frame is for one frame of a recording, and a .pcd file as OUTPUT");
   }
-  if (is_recording(options.input) && is_folder(options.output)) {
+  const auto pose = viewpoint_of(options.viewpoint);
+  const segmentation::Options settings = options_of(options.segmentation);
+  std::optional<recording::Unit> unit = options.unit.unit();
+  const bool is_of_recording = is_recording(options.input);
+  if (is_of_recording && is_folder(options.output)) {
     if (!options.picture.empty()) throw UsageError("--picture is of one frame: add --frame N");
-    return segment_recording({options.input, options.output, options.json, options.unit.unit(),
-                              options_of(options.segmentation)});
+    return segment_recording({options.input, options.output, options.json, unit, pose, settings});
   }
-  PcdCloud cloud = read(options);
+  PcdCloud cloud = is_of_recording ? read_frame(options) : PcdCloud::read(options.input);
+  if (is_of_recording) unit = recording::Unit::metre;  // it was scaled as it was read
   std::vector<std::uint16_t> labels(cloud.header().points());
   std::vector<float> xyz(cloud.xyz().begin(), cloud.xyz().end());
-  recording::make_metres(xyz, options.unit.unit(), options.input);
-  segmentation::CloudView view = view_in_metres(cloud, xyz, options.unit.unit());
-  if (!options.viewpoint.empty()) view.pose = viewpoint_of(options.viewpoint);
-  const Segmentation result = segment(view, labels, options);
+  recording::make_metres(xyz, unit, options.input);
+  segmentation::CloudView view = view_in_metres(cloud, xyz, unit);
+  if (pose) view.pose = pose;
+  const Segmentation result = segment(view, labels, settings, options.input);
   cloud.set_labels(labels);
   write_pcd(options.output, cloud);
   if (!options.picture.empty()) {
@@ -138,23 +124,23 @@ void add_segment_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SegmentOptions>();
   CLI::App* command = app.add_subcommand("segment", "Segments a PCD file or a recording, offline");
   command
-      ->add_option(
-          "INPUT", options->input,
-          "PCD file with x, y, z, organised or not; or a recording (.mcap, .mcap?topic=T, .oni)")
+      ->add_option("INPUT", options->input,
+                   "PCD file with x, y, z, organised or not; or a recording\n"
+                   "(.mcap, .mcap?topic=T, .oni)")
       ->required();
   command
-      ->add_option(
-          "OUTPUT", options->output,
-          "PCD file to write: the input with label set; for a recording, a folder for all frames")
+      ->add_option("OUTPUT", options->output,
+                   "PCD file to write: the input with label set; for a\n"
+                   "recording, a folder for all frames")
       ->required();
   command->add_option("--frame", options->frame, "of a recording, this one alone, from 1")
       ->check(CLI::PositiveNumber);
   command->add_option("--picture", options->picture, "PNG with labels as colours over the depth");
   command
-      ->add_option(
-          "--viewpoint", options->viewpoint,
-          "where the sensor stood, in the cloud's frame; else as the file's VIEWPOINT says, "
-          "and where that is 0 0 0 1 0 0 0, as the points tell")
+      ->add_option("--viewpoint", options->viewpoint,
+                   "where the sensor stood, in the cloud's frame; else as the\n"
+                   "file's VIEWPOINT says, and where that is 0 0 0 1 0 0 0,\n"
+                   "as the points tell")
       ->type_name("X,Y,Z[,QW,QX,QY,QZ]");
   command->add_flag("--json", options->json, "one JSON object: points, segments, borders");
   add_unit_option(*command, options->unit);
@@ -168,10 +154,10 @@ void add_segment_command(CLI::App& app, Action& action) {
       "  cleave segment scan.pcd out.pcd --unit mm\n"
       "  cleave segment map.pcd out.pcd --viewpoint 1.5,0,0.8\n"
       "\n"
-      "OUTPUT keeps the points in their unit, their order and organisation, VIEWPOINT and every\n"
-      "other field; label (uint32, 0 = no segment) is set in all points. It is binary if INPUT is, "
-      "else\n"
-      "binary_compressed, and appears whole or not at all.\n"
+      "OUTPUT keeps the points of a PCD file in their unit, their order and organisation,\n"
+      "VIEWPOINT and every other field; label (uint32, 0 = no segment) is set in all points.\n"
+      "It is binary if INPUT is, else binary_compressed, and appears whole or not at all.\n"
+      "Frames of a recording are written in metres.\n"
       "\n" +
       list_options());
   command->callback([options, &action] { action = [options] { return run(*options); }; });

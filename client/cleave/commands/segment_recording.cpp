@@ -6,22 +6,24 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "cleave/cloud/pcd_view.hpp"
 #include "cleave/cloud/segment_table.hpp"
+#include "cleave/cloud/why_not_segmented.hpp"
 #include "cleave/commands/command.hpp"
 #include "cleave/console/json.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/pcd/writer.hpp"
-#include "recording/units/suspected_unit.hpp"
+#include "segmentation/result_check.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
 namespace {
 
 using recording::PcdCloud;
-using segmentation::Outcome;
 using segmentation::Segmentation;
 
 // Label maps and segment lists of the recording are passed over: they are made anew.
@@ -34,23 +36,17 @@ std::optional<recording::Cloud> next_cloud(FrameSource& source) {
   return std::nullopt;
 }
 
-Json json_of(const std::string& file, std::size_t points, const Segmentation& result) {
-  Json segments = Json::array();
-  for (const auto& segment : result.segments) segments.push_back(client::json_of(segment));
-  return {{"output", file}, {"points", points}, {"segments", std::move(segments)}};
-}
-
 class RecordingRun {
  public:
   explicit RecordingRun(const RecordingToSegment& recording)
       : recording_(recording), segmenter_(recording.options) {}
 
   int run() {
-    const auto source = open_frame_source(recording_.input, "camera");
+    const auto source = open_frame_source(recording_.input, "camera", recording_.unit);
     refuse_existing(recording_.output);
     while (const auto cloud = next_cloud(*source)) segment(*cloud);
     report(source->skipped() + failed_);
-    return frames_.empty() || source->skipped() + failed_ > 0 ? exit_failed : exit_done;
+    return written_ == 0 || source->skipped() + failed_ > 0 ? exit_failed : exit_done;
   }
 
  private:
@@ -59,28 +55,36 @@ class RecordingRun {
     const std::uint32_t height = cloud.header.height;
     PcdCloud pcd = PcdCloud::of_points(cloud.xyz, width, height);
     std::vector<std::uint16_t> labels(pcd.header().points());
-    std::vector<float> xyz = cloud.xyz;
-    recording::make_metres(xyz, recording_.unit, recording_.input);
-    const segmentation::CloudView view = view_in_metres(pcd, xyz, recording_.unit);
+    segmentation::CloudView view = view_of(pcd);
+    view.pose = recording_.pose;
     Segmentation result;
-    if (segmenter_.segment(view, labels, result) != Outcome::segmented) {
-      spdlog::warn(
-          "frame {}: not segmented: no point is measured, it has more than 65535 segments, "
-          "or the segmentation takes no cloud of its size",
-          cloud.header.frame_id);
+    const std::string_view why = why_not_segmented(segmenter_.segment(view, labels, result));
+    if (!why.empty()) {
+      spdlog::warn("frame {}: not segmented: {}", cloud.header.frame_id, why);
       ++failed_;
       return;
     }
+    advise(cloud.header.frame_id, result);
     pcd.set_labels(labels);
     std::filesystem::create_directories(recording_.output);
     const std::filesystem::path file =
         std::filesystem::path(recording_.output) / fmt::format("frame_{:06}.pcd", ++written_);
     write_pcd(file, pcd);
-    if (!recording_.json) {
+    if (recording_.json) {
+      Json frame = {{"output", file.string()}, {"points", labels.size()}};
+      frame.update(json_of(result));
+      frames_.push_back(std::move(frame));
+    } else {
       std::cout << fmt::format("{}: {} points, {} segments\n", file.string(), labels.size(),
                                result.segments.size());
     }
-    frames_.push_back(json_of(file.string(), labels.size(), result));
+  }
+
+  // Said once, for all frames are of one camera.
+  void advise(std::uint64_t frame, const Segmentation& result) {
+    const std::string_view advice = segmentation::advice_on(segmentation::doubt_about(result));
+    if (advice.empty() || std::exchange(advised_, true)) return;
+    spdlog::warn("{}, frame {}: {}", recording_.input, frame, advice);
   }
 
   void report(std::size_t lost) const {
@@ -100,7 +104,8 @@ class RecordingRun {
   segmentation::Segmenter segmenter_;
   std::size_t written_ = 0;
   std::size_t failed_ = 0;
-  Json frames_ = Json::array();
+  bool advised_ = false;
+  Json frames_ = Json::array();  // for --json, which prints one object
 };
 
 }  // namespace
@@ -109,8 +114,9 @@ int segment_recording(const RecordingToSegment& recording) {
   return RecordingRun(recording).run();
 }
 
-PcdCloud frame_of_recording(const std::string& input, std::uint64_t number) {
-  const auto source = open_frame_source(input, "camera");
+PcdCloud frame_of_recording(const std::string& input, std::optional<recording::Unit> unit,
+                            std::uint64_t number) {
+  const auto source = open_frame_source(input, "camera", unit);
   std::uint64_t count = 0;
   while (const auto cloud = next_cloud(*source)) {
     if (++count < number) continue;

@@ -1,4 +1,4 @@
-// --unit, of commands that read files of points.
+// --unit, of commands that read points.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,8 +20,9 @@ inline void add_unit_option(CLI::App& command, UnitArgument& argument) {
   const std::vector<std::string> names(recording::unit_names.begin(), recording::unit_names.end());
   command
       .add_option("--unit", argument.name,
-                  "unit of PCD files' coordinates, which are scaled to metres; without it they\n"
-                  "are metres, and a file that is seen to be in millimetres is refused")
+                  "unit of the points, which are scaled to metres; without\n"
+                  "it they are metres, and what is seen to be in millimetres\n"
+                  "is refused")
       ->check(CLI::IsMember(names));
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cleave/commands/segmentation_options.hpp"
+#include "cleave/commands/unit_option.hpp"
 #include "cleave/console/json.hpp"
 #include "cleave/console/live_line.hpp"
 #include "cleave/console/terminal.hpp"
@@ -27,6 +28,7 @@ struct VerifyOptions {
   Tolerances tolerances;
   std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
   bool json = false;
+  UnitArgument unit;
   SegmentationArguments segmentation;
 };
 
@@ -77,7 +79,7 @@ int run_update(const VerifyOptions& options, OfflineSegmenter& segmenter, LiveLi
 
 int run(const VerifyOptions& options) {
   const segmentation::Options segmentation = options_of(options.segmentation);
-  OfflineSegmenter segmenter(segmentation, options.workers);
+  OfflineSegmenter segmenter(segmentation, options.workers, options.unit.unit());
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   if (options.update) return run_update(options, segmenter, line, terminal);
@@ -113,7 +115,8 @@ void add_verify_command(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--expect", options->golden,
-                   "recording with the labels and segments that are right; may be INPUT")
+                   "recording with the labels and segments that are right;\n"
+                   "may be INPUT")
       ->required();
   auto* update = command->add_flag("--update", options->update,
                                    "write what is found now to the --expect file");
@@ -130,6 +133,7 @@ void add_verify_command(CLI::App& app, Action& action) {
   command->add_option("--workers", options->workers, "frames at a time; the number of cores")
       ->check(CLI::Range(1, 64));
   command->add_flag("--json", options->json, "one JSON object: passed, frames, different, ...");
+  add_unit_option(*command, options->unit);
   add_segmentation_options(*command, options->segmentation);
   command->footer(
       "Examples:\n"

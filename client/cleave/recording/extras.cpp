@@ -6,9 +6,8 @@
 
 namespace cleave::client {
 
-std::size_t copy_extras(const std::filesystem::path& input, FrameSink& sink) {
-  if (input.extension() != ".mcap") return 0;
-  const recording::McapReader reader(input);
+std::size_t copy_extras(const std::filesystem::path& mcap, FrameSink& sink) {
+  const recording::McapReader reader(mcap);
   std::size_t damaged = 0;
   for (const recording::Attachment& attachment : reader.contents().attachments) {
     try {

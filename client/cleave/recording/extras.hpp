@@ -8,9 +8,8 @@
 
 namespace cleave::client {
 
-// Attachments and metadata of a recording (.mcap) go into the sink, which may have no place for
-// them; other kinds of input have none. Returns how many were damaged: these are named and left
-// out. Throws recording::FileError.
-[[nodiscard]] std::size_t copy_extras(const std::filesystem::path& input, FrameSink& sink);
+// Attachments and metadata of an MCAP file go into the sink, which may have no place for them.
+// Returns how many were damaged: these are named and left out. Throws recording::FileError.
+[[nodiscard]] std::size_t copy_extras(const std::filesystem::path& mcap, FrameSink& sink);
 
 }  // namespace cleave::client

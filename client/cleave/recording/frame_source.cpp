@@ -2,25 +2,40 @@
 
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 #include "cleave/commands/command.hpp"
 #include "recording/ros/open_frames.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
 
 constexpr std::string_view scheme = "mcap:";
 
+void scale_to_metres(recording::SegmentList& list, recording::Unit unit) {
+  for (recording::Segment& segment : list.segments) {
+    recording::scale_to_metres(segment.centroid, unit);
+    recording::scale_to_metres(segment.box_centre, unit);
+    recording::scale_to_metres(segment.box_extent, unit);
+  }
+}
+
 class McapFrames : public FrameSource {
  public:
-  McapFrames(const recording::FileTopic& from, const std::string& sensor)
+  McapFrames(const recording::FileTopic& from, const std::string& sensor,
+             std::optional<recording::Unit> unit)
       : input_(recording::open_frames(
             from, {recording::Kind::cloud, recording::Kind::labels, recording::Kind::segments},
-            sensor)) {
+            sensor)),
+        name_(from.file.string()),
+        unit_(unit) {
     for (const std::string& remark : input_->remarks()) spdlog::warn("{}", remark);
   }
 
   std::optional<recording::Frame> next() override {
     auto frame = input_->next();
+    if (frame) make_metres(*frame);
     const auto problems = input_->problems();
     for (; named_ < problems.size(); ++named_) spdlog::warn("{}", problems[named_]);
     return frame;
@@ -32,23 +47,36 @@ class McapFrames : public FrameSource {
   }
 
  private:
+  // As cleave-grabber plays recordings: all clouds are in one unit, which the first one tells.
+  void make_metres(recording::Frame& frame) {
+    if (auto* const cloud = std::get_if<recording::Cloud>(&frame.content)) {
+      const bool is_first = !std::exchange(has_cloud_, true);
+      if (unit_ || is_first) recording::make_metres(cloud->xyz, unit_, name_);
+    } else if (auto* const list = std::get_if<recording::SegmentList>(&frame.content)) {
+      if (unit_) scale_to_metres(*list, *unit_);
+    }
+  }
+
   std::unique_ptr<recording::FrameInput> input_;
+  std::string name_;
+  std::optional<recording::Unit> unit_;
+  bool has_cloud_ = false;
   std::size_t named_ = 0;
 };
+
+}  // namespace
 
 bool is_mcap(const std::string& input) {
   return input.starts_with(scheme) || mcap_input(input).file.extension() == ".mcap";
 }
 
-}  // namespace
-
 recording::FileTopic mcap_input(const std::string& text) {
   return recording::split_topic(text.starts_with(scheme) ? text.substr(scheme.size()) : text);
 }
 
-std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from,
-                                       const std::string& sensor) {
-  return std::make_unique<McapFrames>(from, sensor);
+std::unique_ptr<FrameSource> open_mcap(const recording::FileTopic& from, const std::string& sensor,
+                                       std::optional<recording::Unit> unit) {
+  return std::make_unique<McapFrames>(from, sensor, unit);
 }
 
 bool is_recording(const std::string& input) {
@@ -58,7 +86,7 @@ bool is_recording(const std::string& input) {
 std::unique_ptr<FrameSource> open_frame_source(const std::string& input, const std::string& sensor,
                                                std::optional<recording::Unit> unit,
                                                std::uint32_t decimation) {
-  if (is_mcap(input)) return decimate(open_mcap(mcap_input(input), sensor), decimation);
+  if (is_mcap(input)) return decimate(open_mcap(mcap_input(input), sensor, unit), decimation);
   const std::filesystem::path path = input;
   if (!std::filesystem::exists(path)) {
     throw std::runtime_error(path.string() + ": there is no such file or folder");
@@ -67,7 +95,12 @@ std::unique_ptr<FrameSource> open_frame_source(const std::string& input, const s
     const std::uint64_t most = std::uint64_t{decimation} * decimation * recording::capacity_points;
     return decimate(open_pcd(path, sensor, unit, most), decimation);
   }
-  if (path.extension() == ".oni") return decimate(open_oni(path, sensor), decimation);
+  if (path.extension() == ".oni") {
+    if (unit) {
+      throw UsageError("--unit: " + path.string() + " says its unit itself, and is read in metres");
+    }
+    return decimate(open_oni(path, sensor), decimation);
+  }
   throw UsageError(path.string() +
                    ": cannot be converted: name a .mcap file, an .oni file, a .pcd file or a "
                    "folder of .pcd files");

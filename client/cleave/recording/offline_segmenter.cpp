@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <thread>
+#include <utility>
 
 #include "cleave/recording/contract_frames.hpp"
 #include "recording/units/suspected_unit.hpp"
@@ -23,7 +24,8 @@ std::uint32_t wire_outcome(segmentation::Outcome outcome) {
   return cleave_v1_OUTCOME_REJECTED_NO_FINITE_POINT;
 }
 
-SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::Cloud& cloud) {
+SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::Cloud& cloud,
+                           bool check_unit) {
   const recording::FrameHeader& header = cloud.header;
   SegmentedCloud result;
   result.labels = {header, header.publication_time_ns, {}};
@@ -35,7 +37,7 @@ SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::
   const segmentation::CloudView view{
       .xyz = cloud.xyz.data(), .stride = 3, .width = header.width, .height = header.height};
   result.list.outcome = cleave_v1_OUTCOME_REJECTED_WRONG_UNIT;
-  if (!recording::suspected_unit(cloud.xyz)) {
+  if (!check_unit || !recording::suspected_unit(cloud.xyz)) {
     result.list.outcome = wire_outcome(segmenter.segment(view, result.labels.label, segmentation));
   }
   set_segments(result.list, segmentation);
@@ -44,11 +46,16 @@ SegmentedCloud segment_one(segmentation::Segmenter& segmenter, const recording::
 
 }  // namespace
 
-OfflineSegmenter::OfflineSegmenter(const segmentation::Options& options, std::size_t workers) {
+OfflineSegmenter::OfflineSegmenter(const segmentation::Options& options, std::size_t workers,
+                                   std::optional<recording::Unit> unit)
+    : unit_(unit) {
   for (std::size_t i = 0; i < workers; ++i) segmenters_.emplace_back(options);
 }
 
-std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<const recording::Cloud> clouds) {
+std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<recording::Cloud> clouds) {
+  if (!clouds.empty() && !std::exchange(has_cloud_, true) && !unit_) {
+    recording::make_metres(clouds.front().xyz, unit_, "the recording");
+  }
   std::vector<SegmentedCloud> results(clouds.size());
   std::atomic<std::size_t> next{0};
   {
@@ -56,7 +63,8 @@ std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<const recording:
     for (segmentation::Segmenter& segmenter : segmenters_) {
       threads.emplace_back([&, worker = &segmenter] {
         for (std::size_t i = next++; i < clouds.size(); i = next++) {
-          results[i] = segment_one(*worker, clouds[i]);
+          if (unit_) recording::scale_to_metres(clouds[i].xyz, *unit_);
+          results[i] = segment_one(*worker, clouds[i], !unit_);
         }
       });
     }

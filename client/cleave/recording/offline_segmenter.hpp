@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "recording/frames/frame.hpp"
+#include "recording/units/unit.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::client {
@@ -19,15 +21,21 @@ struct SegmentedCloud {
 
 class OfflineSegmenter {
  public:
-  // Throws std::invalid_argument when an option is out of its range.
-  OfflineSegmenter(const segmentation::Options& options, std::size_t workers);
+  // `unit`: of the clouds, which are scaled to metres. Throws std::invalid_argument when an option
+  // is out of its range.
+  OfflineSegmenter(const segmentation::Options& options, std::size_t workers,
+                   std::optional<recording::Unit> unit = {});
 
-  // One result a cloud, in their order; the same for any number of workers.
-  [[nodiscard]] std::vector<SegmentedCloud> segment(std::span<const recording::Cloud> clouds);
+  // One result a cloud, in their order; the same for any number of workers. Without a unit, throws
+  // recording::WrongUnit where the very first cloud seems to be in millimetres; a later one is
+  // rejected, as by the daemon. Scales `clouds`.
+  [[nodiscard]] std::vector<SegmentedCloud> segment(std::span<recording::Cloud> clouds);
   [[nodiscard]] std::size_t workers() const { return segmenters_.size(); }
 
  private:
   std::vector<segmentation::Segmenter> segmenters_;  // one a worker
+  std::optional<recording::Unit> unit_;
+  bool has_cloud_ = false;
 };
 
 }  // namespace cleave::client

@@ -13,12 +13,14 @@
 namespace cleave::client {
 namespace {
 
+// What is too large for a recording its writer refuses, and names.
+constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t ns_per_us = 1000;
 constexpr std::uint64_t latest_us = std::numeric_limits<std::int64_t>::max() / ns_per_us;
 
 oni::Camera camera_of(const oni::Reader& reader, const std::filesystem::path& path) {
   try {
-    return oni::Camera(reader);
+    return oni::Camera(reader, any_size);
   } catch (const std::runtime_error& error) {
     throw std::runtime_error("cannot convert the recording '" + path.string() +
                              "': " + error.what());

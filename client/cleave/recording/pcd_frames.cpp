@@ -8,6 +8,7 @@
 #include "recording/pcd/error.hpp"
 #include "recording/pcd/folder.hpp"
 #include "recording/pcd/stream_cloud.hpp"
+#include "recording/units/suspected_unit.hpp"
 
 namespace cleave::client {
 namespace {
@@ -31,8 +32,9 @@ class PcdFrames : public FrameSource {
       try {
         return read(file);
       } catch (const recording::PcdError& error) {
-        spdlog::warn("skipped: {}", error.what());
-        ++skipped_;
+        skip(error.what());
+      } catch (const recording::WrongUnit& error) {
+        skip(error.what());
       }
     }
     return std::nullopt;
@@ -57,6 +59,11 @@ class PcdFrames : public FrameSource {
     cloud.header.sensor = sensor_;
     cloud.header.coordinate_frame = sensor_ + "_optical";
     return {time_ns, std::move(cloud)};
+  }
+
+  void skip(const char* why) {
+    spdlog::warn("skipped: {}", why);
+    ++skipped_;
   }
 
   // Said once: recordings, as the stream, hold floats.

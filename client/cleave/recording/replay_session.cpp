@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recording/error.hpp"
+#include "recording/time_units.hpp"
 
 namespace cleave::client {
 namespace {
@@ -94,7 +95,7 @@ void ReplaySession::wait_for_readers(const SensorReplay& sensor, Shutdown& shutd
 void ReplaySession::note(const recording::AheadFrame& ahead) {
   const std::int64_t log_ns = ahead.frame.log_time_ns;
   if (!first_log_ns_) first_log_ns_ = log_ns;
-  position_s_ = static_cast<double>(log_ns - *first_log_ns_) / 1e9;
+  position_s_ = recording::seconds_between(*first_log_ns_, log_ns);
   ++published_[ahead.frame.kind()];
   ended_ = Clock::now();
   if (!began_) began_ = ended_;

@@ -41,8 +41,7 @@ GapLimit::Gap GapLimit::between(std::int64_t before_ns, std::int64_t after_ns) c
 }
 
 std::string GapLimit::text_of_jump(std::int64_t before_ns, std::int64_t after_ns) const {
-  const double jump_s = (static_cast<double>(after_ns) - static_cast<double>(before_ns)) /
-                        static_cast<double>(ns_per_s);
+  const double jump_s = seconds_between(before_ns, after_ns);
   const double wait_s = static_cast<double>(between(before_ns, after_ns).wait.count()) /
                         static_cast<double>(ns_per_s);
   return "the recording's clock goes " + std::string(jump_s < 0 ? "back by " : "on by ") +

@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "recording/frames/frame.hpp"
-
 namespace cleave::oni {
 namespace {
 
@@ -22,12 +20,13 @@ recording::Intrinsics intrinsics_of(const DepthStream& stream) {
 
 }  // namespace
 
-Camera::Camera(const Reader& reader) : stream_(reader.stream()) {
+Camera::Camera(const Reader& reader, std::uint64_t max_points) : stream_(reader.stream()) {
   if (reader.size() == 0) throw std::runtime_error("it has no frame");
-  if (std::size_t{stream_.width} * stream_.height > recording::capacity_points) {
+  if (std::uint64_t{stream_.width} * stream_.height > max_points) {
     throw std::runtime_error("its images have " + std::to_string(stream_.width) + " x " +
-                             std::to_string(stream_.height) +
-                             " pixels, at most 640 x 480 fit into a cloud");
+                             std::to_string(stream_.height) + " pixels, more than the " +
+                             std::to_string(max_points) +
+                             " that fit; --decimate makes a block of them into one");
   }
   intrinsics_ = intrinsics_of(stream_);
   projection_ = recording::DepthProjection(stream_.width, stream_.height, intrinsics_);

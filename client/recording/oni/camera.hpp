@@ -1,6 +1,8 @@
 // The camera of an OpenNI recording: from its frames to points.
 #pragma once
 
+#include <cstdint>
+
 #include "recording/cloud/depth_to_points.hpp"
 #include "recording/oni/oni_reader.hpp"
 
@@ -11,8 +13,8 @@ namespace cleave::oni {
 class Camera {
  public:
   // Throws std::runtime_error with the reason why no cloud can come out of the recording: it has no
-  // frame, too many pixels for a cloud, or not the fields of view.
-  explicit Camera(const Reader& reader);
+  // frame, more pixels than `max_points`, or not the fields of view.
+  explicit Camera(const Reader& reader, std::uint64_t max_points);
 
   // Of the images as recorded: where they are cropped, the principal point moves along. In pixels.
   [[nodiscard]] const recording::Intrinsics& intrinsics() const { return intrinsics_; }

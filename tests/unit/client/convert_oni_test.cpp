@@ -167,6 +167,20 @@ TEST_F(ConvertOni, CountsThatAFileWasCutOff) {
   EXPECT_EQ(source->skipped(), 1U);
 }
 
+TEST_F(ConvertOni, TakesImagesOfAnySizeAndDecimatesThem) {
+  OniFile recording = example(1, 848, 480);
+  recording.width = 848;
+  recording.height = 480;
+  const std::filesystem::path path = file(recording.bytes());
+  const auto whole = clouds_of(*open_frame_source(path, "camera"));
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_EQ(whole[0].header.width, 848U);
+  const auto thinned = clouds_of(*open_frame_source(path, "camera", {}, 2));
+  ASSERT_EQ(thinned.size(), 1U);
+  EXPECT_EQ(thinned[0].header.width, 424U);
+  EXPECT_EQ(thinned[0].header.height, 240U);
+}
+
 TEST_F(ConvertOni, SaysWhyARecordingCannotBeConverted) {
   const auto failure = [this](const std::string& bytes) -> std::string {
     try {

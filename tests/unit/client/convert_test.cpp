@@ -2,13 +2,14 @@
 
 #include <limits>
 
-#include "cleave/commands/command.hpp"
+#include "cleave/commands/convert_command.hpp"
 #include "cleave/recording/extras.hpp"
 #include "cleave/recording/frame_sink.hpp"
 #include "cleave/recording/frame_source.hpp"
 #include "recording/frames/frame_writer.hpp"
 #include "recording/mcap/reader.hpp"
 #include "recording/pcd/writer.hpp"
+#include "run_command.hpp"
 #include "temporary_folder.hpp"
 #include "tests/unit/recording/mcap_bytes.hpp"
 #include "tests/unit/recording/recording_files.hpp"
@@ -110,6 +111,23 @@ TEST_F(Convert, KeepsAttachmentsAndMetadataFromRecordingToRecording) {
   EXPECT_EQ(reader.contents().attachments[1].name, "b.txt");
   ASSERT_EQ(reader.contents().metadata.size(), 1U);
   EXPECT_EQ(reader.contents().metadata[0].name, "notes");
+}
+
+TEST_F(Convert, KeepsTheAttachmentsOfARecordingWhateverItsNameEndsIn) {
+  recording::McapBytes file = recording::begun_file();
+  file.attachment("a.txt", "one").footer();
+  recording::write_all(mcap_, file.bytes());
+  const std::filesystem::path run = folder_.path() / "run.mcap";
+  const auto sink = open_frame_sink(run);
+  sink->write({1, recording::depth_cloud(1)});
+  EXPECT_EQ(copy_extras(mcap_, *sink), 0U);
+  sink->close();
+  const std::filesystem::path unnamed = folder_.path() / "recording.bak";
+  std::filesystem::rename(run, unnamed);
+  const std::filesystem::path copy = folder_.path() / "copy.mcap";
+  EXPECT_EQ(run_command(add_convert_command, {"convert", "mcap:" + unnamed.string(), copy}),
+            exit_done);
+  EXPECT_EQ(recording::McapReader(copy).contents().attachments.size(), 1U);
 }
 
 TEST_F(Convert, NamesAndLeavesOutAnAttachmentThatIsDamaged) {

@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "cleave/console/json.hpp"
 #include "recording/pcd/cloud.hpp"
+#include "run_command.hpp"
 #include "temporary_folder.hpp"
 
 namespace cleave::client {
@@ -28,13 +29,8 @@ std::string plane() {
 }
 
 int run_segment(std::vector<std::string> words) {
-  CLI::App app;
-  Action action;
-  add_segment_command(app, action);
   words.insert(words.begin(), "segment");
-  std::reverse(words.begin(), words.end());
-  app.parse(words);
-  return action();
+  return run_command(add_segment_command, std::move(words));
 }
 
 TEST(SegmentCommand, WritesTheLabelledCloudAndItsPicture) {
@@ -125,6 +121,13 @@ TEST(SegmentCommand, RefusesMoreSegmentsThanLabelsCanName) {
       (void)run_segment({input, folder.path() / "out.pcd", "--set", "voxel.follow_spacing=false",
                          "--set", "clean_up.min_segment_points=0"}),
       std::runtime_error);
+}
+
+TEST(SegmentCommand, RefusesAViewpointThatIsNoneBeforeItReadsAnything) {
+  for (const char* const input : {"/no/such.pcd", "/no/such.mcap"}) {
+    EXPECT_THROW((void)run_segment({input, "out", "--viewpoint", "1,2"}), UsageError);
+    EXPECT_THROW((void)run_segment({input, "out", "--set", "speed=9"}), UsageError);
+  }
 }
 
 TEST(SegmentCommand, RefusesAnOptionThatDoesNotExistAsWrongUsage) {

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "recording/time_units.hpp"
+
 namespace cleave::recording {
 namespace {
 
@@ -24,6 +26,15 @@ TEST(GapLimit, ShortensWhatIsLonger) {
   const GapLimit::Gap gap = GapLimit(1).between(0, 11 * day_ns);
   EXPECT_EQ(gap.wait, 1s);
   EXPECT_TRUE(gap.is_jump);
+}
+
+TEST(SecondsBetween, AreThoseOfAnyTwoTimes) {
+  constexpr std::int64_t first = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t last = std::numeric_limits<std::int64_t>::max();
+  EXPECT_DOUBLE_EQ(seconds_between(s_ns, 3 * s_ns), 2);
+  EXPECT_DOUBLE_EQ(seconds_between(3 * s_ns, s_ns), -2);
+  EXPECT_DOUBLE_EQ(seconds_between(first, last), 0x1p64 / 1e9);
+  EXPECT_DOUBLE_EQ(seconds_between(last, first), -0x1p64 / 1e9);
 }
 
 TEST(GapLimit, WaitsForNothingWhenTimeGoesBack) {
