@@ -71,7 +71,7 @@ void print(const Segmentation& result, const PcdCloud& cloud, const SegmentOptio
   }
   Json json = {
       {"input", options.input}, {"output", options.output}, {"points", cloud.header().points()}};
-  json.update(json_of(result));
+  json.update(client::json_of(result));
   std::cout << one_line(json) << '\n';
 }
 

@@ -72,7 +72,7 @@ class RecordingRun {
     write_pcd(file, pcd);
     if (recording_.json) {
       Json frame = {{"output", file.string()}, {"points", labels.size()}};
-      frame.update(json_of(result));
+      frame.update(client::json_of(result));
       frames_.push_back(std::move(frame));
     } else {
       std::cout << fmt::format("{}: {} points, {} segments\n", file.string(), labels.size(),

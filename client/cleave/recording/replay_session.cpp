@@ -17,7 +17,7 @@ using std::chrono_literals::operator""s;
 constexpr auto replay_tick = 50ms;
 constexpr auto retry = 1ms;  // until a reader gives a chunk of shared memory back
 // A reader that has just been found needs a moment for its other topics.
-constexpr auto settling_time = 500ms;
+constexpr auto replay_settling_time = 500ms;
 constexpr auto last_frames_time = 1s;
 
 }  // namespace
@@ -85,7 +85,7 @@ void ReplaySession::wait_for_readers(const SensorReplay& sensor, Shutdown& shutd
   auto settled = Clock::time_point::max();
   while (!shutdown.requested() && Clock::now() < settled) {
     if (!sensor.has_readers()) settled = Clock::time_point::max();
-    if (sensor.has_readers()) settled = std::min(settled, Clock::now() + settling_time);
+    if (sensor.has_readers()) settled = std::min(settled, Clock::now() + replay_settling_time);
     (void)shutdown.wait_for(replay_tick);
     update();
     on_tick();

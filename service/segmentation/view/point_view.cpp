@@ -44,7 +44,7 @@ Eigen::Vector3d PointViewFinder::likely_place(const Eigen::Vector3d& origin, con
   constexpr double some = 0.02;
   if (points_.size() < few || !(points_.extent_m() > 0)) return origin;
   const double distance = (origin - points_.middle()).norm() / points_.extent_m();
-  const Eigen::Vector3d above =
+  Eigen::Vector3d above =
       points_.middle() + far / 2 * points_.extent_m() * Eigen::Vector3d::UnitZ();
   if (!(distance < far)) return above;
   const double hidden = points_.share_hidden(origin, sight.spacing_rad);
