@@ -90,8 +90,7 @@ ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame
     if (++unusable_[too_large] > 1) continue;
     spdlog::warn(
         "{}: skipped: {} x {} points, more than the {} that the stream can take; a larger "
-        "--decimate "
-        "makes fewer of them",
+        "--decimate makes fewer of them",
         path_.string(), header.width, header.height, max_points_);
   }
 }

@@ -44,7 +44,7 @@ struct Border {
 struct Segmentation {
   std::vector<Segment> segments;
   std::vector<Border> borders;        // sorted by (first, second)
-  std::uint32_t measured_points = 0;  // that count: is_measured, and not a stray (max_strays)
+  std::uint32_t measured_points = 0;  // that count: is_measured, and not behind the sensor
 };
 
 // too_many_segments: more than max_labels, which is all that a label can tell apart.

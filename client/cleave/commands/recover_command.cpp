@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cleave/recording/frame_sink.hpp"
 #include "recording/mcap/recover.hpp"
@@ -20,7 +22,11 @@ struct RecoverOptions {
 int run(const RecoverOptions& options) {
   refuse_existing(options.output);
   const recording::Recovery recovery = recording::recover(options.damaged, options.output);
-  for (const std::string& problem : recovery.problems.texts()) spdlog::warn("damaged: {}", problem);
+  const std::vector<std::string>& named = recovery.problems.texts();
+  for (const std::string& problem : named) spdlog::warn("damaged: {}", problem);
+  if (const std::uint64_t more = recovery.problems.count() - named.size(); more > 0) {
+    spdlog::warn("damaged: {} more places", more);
+  }
   const std::uint64_t kept = recovery.messages + recovery.attachments + recovery.metadata;
   if (kept == 0 && !recovery.problems.empty()) {
     std::filesystem::remove(options.output);

@@ -36,8 +36,7 @@ class McapFrames : public FrameSource {
   std::optional<recording::Frame> next() override {
     auto frame = input_->next();
     if (frame) make_metres(*frame);
-    const auto problems = input_->problems();
-    for (; named_ < problems.size(); ++named_) spdlog::warn("{}", problems[named_]);
+    name_problems();
     return frame;
   }
   [[nodiscard]] std::size_t skipped() const override {
@@ -47,6 +46,15 @@ class McapFrames : public FrameSource {
   }
 
  private:
+  // Those that are new: texts are copied only where something else was lost.
+  void name_problems() {
+    const std::size_t lost = skipped();
+    if (lost == lost_) return;
+    lost_ = lost;
+    const auto problems = input_->problems();
+    for (; named_ < problems.size(); ++named_) spdlog::warn("{}", problems[named_]);
+  }
+
   // As cleave-grabber plays recordings: all clouds are in one unit, which the first one tells.
   void make_metres(recording::Frame& frame) {
     if (auto* const cloud = std::get_if<recording::Cloud>(&frame.content)) {
@@ -61,7 +69,8 @@ class McapFrames : public FrameSource {
   std::string name_;
   std::optional<recording::Unit> unit_;
   bool has_cloud_ = false;
-  std::size_t named_ = 0;
+  std::size_t lost_ = 0;   // when problems were last named
+  std::size_t named_ = 0;  // problems
 };
 
 }  // namespace

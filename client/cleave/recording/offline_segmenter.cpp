@@ -52,9 +52,10 @@ OfflineSegmenter::OfflineSegmenter(const segmentation::Options& options, std::si
   for (std::size_t i = 0; i < workers; ++i) segmenters_.emplace_back(options);
 }
 
-std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<recording::Cloud> clouds) {
+std::vector<SegmentedCloud> OfflineSegmenter::segment(std::span<recording::Cloud> clouds,
+                                                      const std::string& file) {
   if (!clouds.empty() && !std::exchange(has_cloud_, true) && !unit_) {
-    recording::make_metres(clouds.front().xyz, unit_, "the recording");
+    recording::make_metres(clouds.front().xyz, unit_, file);
   }
   std::vector<SegmentedCloud> results(clouds.size());
   std::atomic<std::size_t> next{0};

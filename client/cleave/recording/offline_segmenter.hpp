@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "recording/frames/frame.hpp"
@@ -27,9 +28,10 @@ class OfflineSegmenter {
                    std::optional<recording::Unit> unit = {});
 
   // One result a cloud, in their order; the same for any number of workers. Without a unit, throws
-  // recording::WrongUnit where the very first cloud seems to be in millimetres; a later one is
-  // rejected, as by the daemon. Scales `clouds`.
-  [[nodiscard]] std::vector<SegmentedCloud> segment(std::span<recording::Cloud> clouds);
+  // recording::WrongUnit, which names the file, where the very first cloud seems to be in
+  // millimetres; a later one is rejected, as by the daemon. Scales `clouds`.
+  [[nodiscard]] std::vector<SegmentedCloud> segment(std::span<recording::Cloud> clouds,
+                                                    const std::string& file);
   [[nodiscard]] std::size_t workers() const { return segmenters_.size(); }
 
  private:

@@ -55,7 +55,7 @@ LeftOut segment_all(const recording::FileTopic& input, OfflineSegmenter& segment
       times_ns.push_back(frame->log_time_ns);
       clouds.push_back(std::get<recording::Cloud>(std::move(frame->content)));
     }
-    std::vector<SegmentedCloud> results = segmenter.segment(clouds);
+    std::vector<SegmentedCloud> results = segmenter.segment(clouds, input.file.string());
     for (std::size_t i = 0; i < results.size(); ++i) {
       on_frame({times_ns[i], std::move(results[i])});
     }

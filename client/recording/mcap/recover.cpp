@@ -28,7 +28,7 @@ class Copy {
     Problems problems = from_.contents().problems;
     problems.add(result_.problems);
     result_.problems = std::move(problems);
-    return result_;
+    return std::move(result_);
   }
 
  private:
