@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "idl/capacity.hpp"
+
 namespace cleave::config {
 namespace {
 
-constexpr std::uint32_t capacity_points = 640 * 480;  // of DepthCloud
-constexpr std::size_t max_frame_name_length = 63;     // char coordinate_frame[64] in the contract
+constexpr std::size_t max_frame_name_length = 63;  // char coordinate_frame[64] in the contract
 constexpr std::string_view frame_suffix = "_optical";
 
 VideoConfig read_video_config(Section& file, std::uint32_t decimate) {

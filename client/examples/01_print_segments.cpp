@@ -4,8 +4,8 @@
 //   build/release/bin/01_print_segments [SENSOR]
 #include <cstdio>
 
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/reader.hpp"
-#include "libcleave/shutdown.hpp"
 #include "libcleave/wait_set.hpp"
 
 int main(int argc, char** argv) {

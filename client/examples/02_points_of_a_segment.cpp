@@ -8,7 +8,7 @@
 #include <map>
 
 #include "libcleave/joiner.hpp"
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/wait_set.hpp"
 
 namespace {

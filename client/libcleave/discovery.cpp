@@ -5,7 +5,7 @@
 #include <thread>
 #include <tuple>
 
-#include "libcleave/dds.hpp"
+#include "libcleave/internal/dds.hpp"
 
 namespace cleave {
 namespace {

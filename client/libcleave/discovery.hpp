@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "libcleave/internal/topic.hpp"
 #include "libcleave/stream.hpp"
-#include "libcleave/topic.hpp"
 
 namespace cleave {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libcleave/lossless_window.hpp"
+#include "libcleave/internal/lossless_window.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"

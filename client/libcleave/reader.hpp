@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "libcleave/raw_reader.hpp"
+#include "libcleave/internal/raw_reader.hpp"
+#include "libcleave/internal/topic.hpp"
 #include "libcleave/stream.hpp"
-#include "libcleave/topic.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {

@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-#include "libcleave/roudi_access.hpp"
+#include "libcleave/internal/roudi_access.hpp"
 
 namespace cleave {
 namespace {

@@ -2,35 +2,58 @@
 
 #include <array>
 #include <ctime>
+#include <list>
 #include <vector>
+
+#include "idl/fields.hpp"
+#include "libcleave/sequence.hpp"
 
 namespace cleave {
 namespace {
 
-// DDS's C types want char*; writing does not change the text.
-char* text(const std::string& s) {
-  return const_cast<char*>(s.c_str());
-}
+using Counts = std::map<std::string, std::uint64_t>;
 
-std::vector<cleave_v1_CauseCount> causes(const std::map<std::string, std::uint64_t>& counts) {
-  std::vector<cleave_v1_CauseCount> list;
-  list.reserve(counts.size());
-  for (const auto& [cause, count] : counts) list.push_back({text(cause), count});
-  return list;
-}
-
-dds_sequence_cleave_v1_CauseCount sequence(std::vector<cleave_v1_CauseCount>& list) {
-  const auto length = static_cast<std::uint32_t>(list.size());
-  return {length, length, list.data(), false};
-}
-
-std::map<std::string, std::uint64_t> counts(const dds_sequence_cleave_v1_CauseCount& sequence) {
-  std::map<std::string, std::uint64_t> result;
-  for (std::uint32_t i = 0; i < sequence._length; ++i) {
-    result[sequence._buffer[i].cause] = sequence._buffer[i].count;
+struct FromStream {
+  template <class Number>
+  void number(const char* /*name*/, const Number& from, Number& to) {
+    to = from;
   }
-  return result;
-}
+  template <class From, class To>
+  void choice(const char* /*name*/, const From& from, To& to) {
+    to = static_cast<To>(from);
+  }
+  void text(const char* /*name*/, const char* from, std::string& to) { to = from; }
+  template <class List, class From>
+  void each(const char* /*name*/, const List& /*list*/, const From& from, Counts& to) {
+    for (const cleave_v1_CauseCount& entry : elements_of(from)) to[entry.cause] = entry.count;
+  }
+};
+
+// Lends texts and counts: both this and what it came from must outlive the message.
+class ToStream {
+ public:
+  template <class Number>
+  void number(const char* /*name*/, const Number& from, Number& to) {
+    to = from;
+  }
+  template <class From, class To>
+  void choice(const char* /*name*/, const From& from, To& to) {
+    to = static_cast<To>(from);
+  }
+  void text(const char* /*name*/, const std::string& from, char*& to) { to = text_of(from); }
+  template <class List, class To>
+  void each(const char* /*name*/, const List& /*list*/, const Counts& from, To& to) {
+    auto& entries = lent_.emplace_back();
+    for (const auto& [cause, count] : from) entries.push_back({text_of(cause), count});
+    lend(to, entries);
+  }
+
+ private:
+  // DDS's C types want char*; writing does not change the text.
+  static char* text_of(const std::string& text) { return const_cast<char*>(text.c_str()); }
+
+  std::list<std::vector<cleave_v1_CauseCount>> lent_;
+};
 
 }  // namespace
 
@@ -45,30 +68,9 @@ const char* to_string(Transport transport) {
 }
 
 NodeReport report_of(const NodeStatus& status) {
-  NodeReport r;
-  r.node = status.node;
-  r.version = status.version;
-  r.sensor = status.sensor;
-  r.process_id = status.process_id;
-  r.state = static_cast<NodeState>(status.state);
-  r.transport = static_cast<Transport>(status.transport_in_force);
-  r.transport_reason = status.transport_reason;
-  r.frames_in = status.frames_in;
-  r.frames_out = status.frames_out;
-  r.frames_dropped = status.frames_dropped;
-  r.frames_rejected = status.frames_rejected;
-  r.frames_in_flight = status.frames_in_flight;
-  r.frames_zero_copy = status.frames_zero_copy;
-  r.interruptions = status.interruptions;
-  r.dropped_by_cause = counts(status.dropped_by_cause);
-  r.rejected_by_cause = counts(status.rejected_by_cause);
-  r.rate_hz = status.rate_hz;
-  r.latency_median_ms = status.latency_median_ms;
-  r.latency_p90_ms = status.latency_p90_ms;
-  r.latency_p99_ms = status.latency_p99_ms;
-  r.cpu_time_s = status.cpu_time_s;
-  r.last_error = status.last_error;
-  return r;
+  NodeReport report;
+  fields::node_status(FromStream{}, status, report);
+  return report;
 }
 
 double cpu_time_s() {
@@ -78,32 +80,10 @@ double cpu_time_s() {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / ns_per_s;
 }
 
-void StatusPublisher::publish(const NodeReport& r) {
-  std::vector<cleave_v1_CauseCount> dropped = causes(r.dropped_by_cause);
-  std::vector<cleave_v1_CauseCount> rejected = causes(r.rejected_by_cause);
+void StatusPublisher::publish(const NodeReport& report) {
   NodeStatus status{};
-  status.node = text(r.node);
-  status.version = text(r.version);
-  status.sensor = text(r.sensor);
-  status.process_id = r.process_id;
-  status.state = static_cast<cleave_v1_NodeState>(r.state);
-  status.transport_in_force = static_cast<cleave_v1_Transport>(r.transport);
-  status.transport_reason = text(r.transport_reason);
-  status.frames_in = r.frames_in;
-  status.frames_out = r.frames_out;
-  status.frames_dropped = r.frames_dropped;
-  status.frames_rejected = r.frames_rejected;
-  status.frames_in_flight = r.frames_in_flight;
-  status.frames_zero_copy = r.frames_zero_copy;
-  status.interruptions = r.interruptions;
-  status.dropped_by_cause = sequence(dropped);
-  status.rejected_by_cause = sequence(rejected);
-  status.rate_hz = r.rate_hz;
-  status.latency_median_ms = r.latency_median_ms;
-  status.latency_p90_ms = r.latency_p90_ms;
-  status.latency_p99_ms = r.latency_p99_ms;
-  status.cpu_time_s = r.cpu_time_s;
-  status.last_error = text(r.last_error);
+  ToStream to_stream;
+  fields::node_status(to_stream, report, status);
   // A status that is lost is followed by the next one; the writer logs why.
   (void)writer_.publish(status);
 }

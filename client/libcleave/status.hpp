@@ -15,13 +15,14 @@ enum class NodeState { starting, running, source_lost, ended, stopping };
 [[nodiscard]] const char* to_string(NodeState state);
 [[nodiscard]] const char* to_string(Transport transport);
 
+// The members of the contract's NodeStatus, as idl/fields.hpp visits them.
 struct NodeReport {
   std::string node;  // "grabber/<sensor>" or "segmenter/<sensor>"
   std::string version;
   std::string sensor;
   std::uint32_t process_id = 0;
   NodeState state = NodeState::starting;
-  Transport transport = Transport::network;
+  Transport transport_in_force = Transport::network;
   std::string transport_reason;
   std::uint64_t frames_in = 0;
   std::uint64_t frames_out = 0;

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "libcleave/dds.hpp"
-#include "libcleave/roudi_access.hpp"
+#include "libcleave/internal/dds.hpp"
+#include "libcleave/internal/roudi_access.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {

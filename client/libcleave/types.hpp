@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cleave_v1.h"
+#include "idl/capacity.hpp"
 #include "idl/topics.hpp"
 
 namespace cleave {
@@ -19,7 +20,6 @@ using SegmentMessage = cleave_v1_Segment;
 using BorderMessage = cleave_v1_Border;
 using NodeStatus = cleave_v1_NodeStatus;
 
-inline constexpr std::size_t capacity_points = std::size_t{640} * 480;
 static_assert(sizeof(DepthCloud::xyz) == capacity_points * 3 * sizeof(float));
 static_assert(sizeof(LabelMap::label) == capacity_points * sizeof(std::uint16_t));
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libcleave/dds.hpp"
+#include "libcleave/internal/dds.hpp"
 
 namespace cleave {
 

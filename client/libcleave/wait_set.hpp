@@ -4,7 +4,7 @@
 #include <chrono>
 #include <memory>
 
-#include "libcleave/raw_reader.hpp"
+#include "libcleave/internal/raw_reader.hpp"
 #include "libcleave/reader.hpp"
 
 namespace cleave {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
-#include "libcleave/raw_writer.hpp"
+#include "libcleave/internal/raw_writer.hpp"
+#include "libcleave/internal/topic.hpp"
 #include "libcleave/stream.hpp"
-#include "libcleave/topic.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {

@@ -17,4 +17,10 @@ class DataError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// An input or a choice that nothing here knows what to do with: says what there is.
+class UnknownInput : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 }  // namespace cleave::recording

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "sensor/renderer/camera.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::driver {
 namespace {

@@ -14,7 +14,7 @@
 #include "sensor/driver/device.hpp"
 #include "sensor/driver/fault_plan.hpp"
 #include "sensor/driver/oni_driver_api.hpp"
-#include "sensor/renderer/scene_uri.hpp"
+#include "sensor/renderer/scene/scene_uri.hpp"
 
 namespace cleave::driver {
 namespace {

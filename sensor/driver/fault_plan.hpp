@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "sensor/renderer/scene_uri.hpp"
+#include "sensor/renderer/scene/scene_uri.hpp"
 
 namespace cleave::driver {
 

@@ -8,7 +8,7 @@
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
 #include "libcleave/writer.hpp"
-#include "sensor/source.hpp"
+#include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 

@@ -9,7 +9,7 @@
 
 #include "libcleave/frame_key.hpp"
 #include "libcleave/status.hpp"
-#include "sensor/source.hpp"
+#include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "libcleave/logging.hpp"
 #include "libcleave/lossless_flow.hpp"
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/logging.hpp"
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/wait_set.hpp"
 #include "sensor/grabber/cloud_publisher.hpp"
@@ -16,7 +16,7 @@
 #include "sensor/grabber/pacer.hpp"
 #include "sensor/grabber/source_link.hpp"
 #include "sensor/grabber/supervisor.hpp"
-#include "sensor/source.hpp"
+#include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 

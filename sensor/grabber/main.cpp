@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <variant>
 
-#include "libcleave/logging.hpp"
-#include "libcleave/restart.hpp"
-#include "libcleave/sensor_lock.hpp"
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/logging.hpp"
+#include "libcleave/process/restart.hpp"
+#include "libcleave/process/sensor_lock.hpp"
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "sensor/grabber/command_line.hpp"
 #include "sensor/grabber/grabber.hpp"
-#include "sensor/make_source.hpp"
+#include "sensor/sources/make_source.hpp"
 
 namespace cleave::sensor {
 namespace {

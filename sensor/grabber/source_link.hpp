@@ -4,11 +4,11 @@
 #include <chrono>
 #include <string>
 
-#include "libcleave/logging.hpp"
+#include "libcleave/process/logging.hpp"
 #include "sensor/grabber/backoff.hpp"
 #include "sensor/grabber/frame_book.hpp"
 #include "sensor/grabber/supervisor.hpp"
-#include "sensor/source.hpp"
+#include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 

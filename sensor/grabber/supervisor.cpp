@@ -19,7 +19,7 @@ Supervisor::Supervisor(Stream& stream, const std::string& sensor, Fill fill)
   report_.version = CLEAVE_VERSION;
   report_.sensor = sensor;
   report_.process_id = static_cast<std::uint32_t>(::getpid());
-  report_.transport = stream.transport();
+  report_.transport_in_force = stream.transport();
   report_.transport_reason = stream.transport_reason();
   if (stream.transport() == Transport::shared_memory) roudi_.emplace();
   publish();

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "sensor/renderer/noise_field.hpp"
-#include "sensor/renderer/visible_parts.hpp"
+#include "sensor/renderer/view/visible_parts.hpp"
 
 namespace cleave::render {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sensor/renderer/labelled_depth.hpp"
-#include "sensor/renderer/ray_cast.hpp"
+#include "sensor/renderer/view/ray_cast.hpp"
 
 namespace cleave::render {
 

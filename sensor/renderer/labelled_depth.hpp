@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sensor/renderer/camera.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::render {
 

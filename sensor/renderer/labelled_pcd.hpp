@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "sensor/renderer/camera.hpp"
 #include "sensor/renderer/labelled_depth.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::render {
 

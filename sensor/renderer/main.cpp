@@ -9,7 +9,7 @@
 #include <string>
 
 #include "sensor/renderer/labelled_pcd.hpp"
-#include "sensor/renderer/scene_loop.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sensor/renderer/random.hpp"
+#include "sensor/renderer/scene/random.hpp"
 
 namespace cleave::render {
 

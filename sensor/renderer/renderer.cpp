@@ -1,7 +1,7 @@
 #include "sensor/renderer/renderer.hpp"
 
 #include "sensor/renderer/depth_sensor.hpp"
-#include "sensor/renderer/ray_cast.hpp"
+#include "sensor/renderer/view/ray_cast.hpp"
 
 namespace cleave::render {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "sensor/renderer/camera.hpp"
 #include "sensor/renderer/labelled_depth.hpp"
-#include "sensor/renderer/scene.hpp"
+#include "sensor/renderer/scene/scene.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::render {
 

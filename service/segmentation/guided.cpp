@@ -6,15 +6,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "segmentation/cell_path.hpp"
-#include "segmentation/coarse_graph.hpp"
-#include "segmentation/no_index.hpp"
+#include "segmentation/graph/coarse_graph.hpp"
+#include "segmentation/math/no_index.hpp"
 #include "segmentation/option_checks.hpp"
-#include "segmentation/spacing/spacing_options.hpp"
-#include "segmentation/spectral_cuts.hpp"
-#include "segmentation/supervoxel_graph.hpp"
-#include "segmentation/view/seen_cloud.hpp"
-#include "segmentation/voxel_path.hpp"
+#include "segmentation/partition/guided_cut.hpp"
+#include "segmentation/partition/spectral_cuts.hpp"
+#include "segmentation/path/path_finder.hpp"
+#include "segmentation/path/path_options.hpp"
 
 namespace cleave::segmentation {
 namespace {
@@ -22,8 +20,7 @@ namespace {
 // The supervoxel of every point; no_index where nothing was measured. `path` has gathered the cloud
 // and labelled it, each supervoxel as a segment of its own. Paths write 16 bits: supervoxels are
 // written in turns.
-template <class Path>
-std::vector<std::uint32_t> supervoxel_of_point(const Path& path, std::size_t points,
+std::vector<std::uint32_t> supervoxel_of_point(const SupervoxelPath& path, std::size_t points,
                                                std::size_t supervoxels) {
   constexpr std::size_t a_turn = std::numeric_limits<std::uint16_t>::max();
   std::vector<std::uint32_t> supervoxel(points, no_index);
@@ -87,50 +84,24 @@ std::vector<std::uint32_t> object_of_supervoxel(std::span<const std::uint32_t> o
 }
 
 struct Scene {
-  SeenCloud seen;
+  PathFinder path_finder;
   Supervoxels supervoxels;
-  std::vector<AdjacentPair> adjacent_pairs;
+  std::vector<SupervoxelEdge> edges;
   std::vector<std::uint32_t> supervoxel_of_point;
 };
 
-template <class Path, class LabelPoints>
-void describe(Path& path, const SupervoxelOptions& options, std::size_t points,
-              LabelPoints&& label_points, Scene& scene) {
-  path.estimate_normals();
-  path.cluster(options, scene.supervoxels);
-  path.find_adjacent_pairs(scene.supervoxels, scene.adjacent_pairs);
+// False if no point was measured.
+bool describe(const CloudView& cloud, const Options& options, Scene& scene) {
+  SupervoxelPath* const path = scene.path_finder.gather(cloud, options);
+  if (path == nullptr) return false;
+  const Options on_path = options_on(*path, options);
+  path->estimate_normals();
+  path->cluster(on_path.supervoxel, scene.supervoxels);
+  path->build_graph(scene.supervoxels, on_path, scene.edges);
   std::vector<std::uint32_t> itself(scene.supervoxels.size());
   std::iota(itself.begin(), itself.end(), 0U);
-  label_points(path, itself, RefineOptions{.boundary = false, .mode_filter_radius = 0});
-  scene.supervoxel_of_point = supervoxel_of_point(path, points, itself.size());
-}
-
-// False if no point was measured.
-bool gather(const CloudView& cloud, const Options& options, Scene& scene) {
-  SeenCloud& seen = scene.seen;
-  const bool wants_cells = options.representation == Representation::cells;
-  const bool is_image = options.voxel.viewpoint != Viewpoint::multiple && seen.look_at_image(cloud);
-  CellPath cells;
-  if (wants_cells && is_image && cells.gather(seen.cloud(), options.voxel)) {
-    describe(
-        cells, options_for_spacing(options, cells.spacing()).supervoxel, cloud.size(),
-        [&](CellPath& path, const auto& segment, const RefineOptions& refine) {
-          path.label_points(scene.supervoxels, segment, refine);
-        },
-        scene);
-    return true;
-  }
-  if (!is_image || wants_cells) seen.look_at_points(cloud, options.voxel.viewpoint);
-  VoxelOptions voxel = options.voxel;
-  voxel.viewpoint = seen.from_one_viewpoint() ? Viewpoint::single : Viewpoint::multiple;
-  VoxelPath voxels;
-  if (!voxels.gather(seen.cloud(), voxel)) return false;
-  describe(
-      voxels, options_for_spacing(options, voxels.spacing()).supervoxel, cloud.size(),
-      [&](VoxelPath& path, const auto& segment, const RefineOptions& refine) {
-        path.label_points(seen.cloud(), scene.supervoxels, segment, refine);
-      },
-      scene);
+  path->label_points(scene.supervoxels, itself, {.boundary = false, .mode_filter_radius = 0});
+  scene.supervoxel_of_point = supervoxel_of_point(*path, cloud.size(), itself.size());
   return true;
 }
 
@@ -148,16 +119,16 @@ GuidedSegmentation segment_guided(const CloudView& cloud, std::span<const std::u
                                   const Options& options) {
   check_options(options);
   check_sizes(cloud, truth);
+  Options on_supervoxels = options;
+  on_supervoxels.algorithm = Algorithm::ssc;  // whatever cuts their graph afterwards
   Scene scene;
-  if (!gather(cloud, options, scene)) return {};
+  if (!describe(cloud, on_supervoxels, scene)) return {};
   const auto count = static_cast<std::uint32_t>(scene.supervoxels.size());
-  std::vector<SupervoxelEdge> edges;
-  build_supervoxel_graph(scene.adjacent_pairs, scene.supervoxels.surfel, options.graph, edges);
-  const auto object = object_of_supervoxel(in_seen_order(numbered(truth), scene.seen),
+  const auto object = object_of_supervoxel(in_seen_order(numbered(truth), scene.path_finder.seen()),
                                            scene.supervoxel_of_point, count);
 
   GraphCoarsener coarsener;
-  (void)coarsener.coarsen(count, edges, 0);  // leaves every supervoxel its own vertex
+  (void)coarsener.coarsen(count, scene.edges, 0);  // leaves every supervoxel its own vertex
   GuidedCutFinder finder;
   finder.start(object, scene.supervoxels.point_count);
   std::vector<std::uint32_t> segment;

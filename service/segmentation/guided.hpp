@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "segmentation/cloud_view.hpp"
-#include "segmentation/guided_cut.hpp"
 #include "segmentation/options.hpp"
+#include "segmentation/partition/guided_cut.hpp"
 
 namespace cleave::segmentation {
 

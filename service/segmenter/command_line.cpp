@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "idl/topics.hpp"
-#include "segmenter/frame_pipeline.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 
 namespace cleave::service {
 namespace {

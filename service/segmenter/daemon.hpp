@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/roudi.hpp"
-#include "libcleave/shutdown.hpp"
 #include "libcleave/status.hpp"
 #include "libcleave/stream.hpp"
 #include "segmentation/options.hpp"
-#include "segmenter/frame_queue.hpp"
+#include "segmenter/pipeline/frame_queue.hpp"
 #include "segmenter/sensor_pipeline.hpp"
 
 namespace cleave::service {

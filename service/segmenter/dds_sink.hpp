@@ -7,7 +7,7 @@
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
 #include "libcleave/writer.hpp"
-#include "segmenter/result_sink.hpp"
+#include "segmenter/pipeline/result_sink.hpp"
 
 namespace cleave::service {
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "config/section.hpp"
-#include "libcleave/logging.hpp"
-#include "libcleave/restart.hpp"
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/logging.hpp"
+#include "libcleave/process/restart.hpp"
+#include "libcleave/process/shutdown.hpp"
 #include "segmenter/command_line.hpp"
 #include "segmenter/daemon.hpp"
 #include "segmenter/settings.hpp"

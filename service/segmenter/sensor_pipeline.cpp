@@ -85,7 +85,7 @@ NodeReport SensorPipeline::report() const {
   report.sensor = sensor_;
   report.process_id = static_cast<std::uint32_t>(::getpid());
   report.state = stopping_ ? NodeState::stopping : source_.state();
-  report.transport = stream_.transport();
+  report.transport_in_force = stream_.transport();
   report.transport_reason = stream_.transport_reason();
   report.frames_in = counts.received;
   report.frames_out = counts.published;

@@ -14,7 +14,7 @@
 #include "libcleave/types.hpp"
 #include "libcleave/wait_set.hpp"
 #include "segmenter/dds_sink.hpp"
-#include "segmenter/frame_pipeline.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 #include "segmenter/source_watch.hpp"
 
 namespace cleave::service {

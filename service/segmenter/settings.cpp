@@ -8,8 +8,8 @@
 #include "config/segmenter_config.hpp"
 #include "idl/topics.hpp"
 #include "segmentation/option_visitor.hpp"
-#include "segmenter/frame_pipeline.hpp"
 #include "segmenter/option_binder.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 
 namespace cleave::service {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "segmentation/options.hpp"
-#include "segmenter/frame_pipeline.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 
 namespace cleave::service {
 

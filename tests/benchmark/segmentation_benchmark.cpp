@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
-#include "cleave/bench/stage_times.hpp"
 #include "segmentation/segmenter.hpp"
-#include "sensor/renderer/scene_loop.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
+#include "workbench/bench/stage_times.hpp"
 
 namespace {
 
@@ -42,7 +42,7 @@ void run(benchmark::State& state, Representation representation, const StageMs& 
   segmentation::Segmenter segmenter(options);
   std::vector<std::uint16_t> labels(view.size());
   segmentation::Segmentation result;
-  client::StageClock clock;
+  workbench::StageClock clock;
   (void)segmenter.segment(view, labels, result);  // sizes the memory
   for ([[maybe_unused]] auto _ : state) {
     clock.start();
@@ -74,10 +74,10 @@ int main(int argc, char** argv) {
        {std::pair{std::string("cells/"), Representation::cells},
         std::pair{std::string("voxels/"), Representation::voxels}}) {
     add(name + "whole", representation,
-        [](const client::StageClock& clock) { return clock.total_ms(); });
-    for (const segmentation::Stage stage : client::all_stages) {
+        [](const workbench::StageClock& clock) { return clock.total_ms(); });
+    for (const segmentation::Stage stage : workbench::all_stages) {
       add(name + to_string(stage), representation,
-          [stage](const client::StageClock& clock) { return clock.stage_ms(stage); });
+          [stage](const workbench::StageClock& clock) { return clock.stage_ms(stage); });
     }
   }
   benchmark::Initialize(&argc, argv);

@@ -1,7 +1,7 @@
 // A long run: memory and labels of so many frames, with real processes and a RouDi of its own.
 // Usage: benchmark_soak [FRAMES], default 10000. Exit code 1 unless memory is flat within 2 MB
 // after the first 500 frames and every repeated frame has the labels that it had at first.
-#include "tests/integration/soak.hpp"
+#include "tests/integration/support/soak.hpp"
 
 #include <unistd.h>
 
@@ -10,7 +10,7 @@
 #include <iostream>
 #include <string>
 
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/benchmark/stream_run.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/integration/daemons.hpp"
+#include "tests/integration/support/daemons.hpp"
 
 namespace cleave::benchmark {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/integration/process.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/process.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <utility>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
-#include "tests/integration/small_clouds.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
+#include "tests/integration/support/small_clouds.hpp"
 
 namespace cleave::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <set>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

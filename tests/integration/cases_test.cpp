@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
 #include "tests/support/data_folder.hpp"
 
 namespace cleave::test {

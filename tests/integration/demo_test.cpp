@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "libcleave/roudi.hpp"
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

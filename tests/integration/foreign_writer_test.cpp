@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "libcleave/writer.hpp"
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
-#include "tests/integration/small_clouds.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
+#include "tests/integration/support/small_clouds.hpp"
 
 namespace cleave::test {
 namespace {

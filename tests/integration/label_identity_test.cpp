@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

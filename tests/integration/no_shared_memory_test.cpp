@@ -5,10 +5,10 @@
 #include <csignal>
 #include <fstream>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
-#include "tests/integration/roudi_fixture.hpp"
-#include "tests/integration/small_clouds.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
+#include "tests/integration/support/small_clouds.hpp"
 
 namespace cleave::test {
 namespace {
@@ -37,7 +37,7 @@ class NoSharedMemory : public testing::Test {
     })) << segmenter.log()
         << camera.log();
     const NodeReport status = monitor_.status("segmenter/camera");
-    EXPECT_EQ(status.transport, Transport::network);
+    EXPECT_EQ(status.transport_in_force, Transport::network);
     EXPECT_NE(status.transport_reason.find(reason), std::string::npos) << status.transport_reason;
     Process shown = daemons_.run("cleave", {"status"});
     EXPECT_EQ(shown.wait(), 0) << shown.log();

@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "recording/frames/frame_reader.hpp"
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

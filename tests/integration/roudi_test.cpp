@@ -3,10 +3,10 @@
 
 #include <csignal>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/monitor.hpp"
-#include "tests/integration/roudi_fixture.hpp"
-#include "tests/integration/small_clouds.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/monitor.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
+#include "tests/integration/support/small_clouds.hpp"
 
 namespace cleave::test {
 namespace {
@@ -44,7 +44,7 @@ TEST_F(RouDiFault, WithoutRouDiTheNetworkCarriesTheCloudsAndTheLogAndTheStatusSa
   ASSERT_TRUE(segments_flow()) << segmenter.log();
   EXPECT_NE(segmenter.log().find("no RouDi answers"), std::string::npos);
   ASSERT_TRUE(eventually([&] { return segmenter_status().frames_in > 0; }));
-  EXPECT_EQ(segmenter_status().transport, Transport::network);
+  EXPECT_EQ(segmenter_status().transport_in_force, Transport::network);
   EXPECT_EQ(segmenter_status().frames_zero_copy, 0U);
 }
 
@@ -55,7 +55,7 @@ TEST_F(RouDiFault, WithRouDiEveryCloudIsHandedOverWithoutACopy) {
   ASSERT_TRUE(segments_flow()) << segmenter.log() << camera.log();
   ASSERT_TRUE(eventually([&] { return segmenter_status().frames_in > 0; }));
   const NodeReport status = segmenter_status();
-  EXPECT_EQ(status.transport, Transport::shared_memory);
+  EXPECT_EQ(status.transport_in_force, Transport::shared_memory);
   EXPECT_EQ(status.frames_zero_copy, status.frames_in - status.dropped_by_cause.count("transport"));
 }
 

@@ -1,9 +1,9 @@
 // A short version of benchmark_soak, which runs 10,000 frames.
-#include "tests/integration/soak.hpp"
+#include "tests/integration/support/soak.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

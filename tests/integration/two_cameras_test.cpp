@@ -6,7 +6,7 @@
 #include <map>
 
 #include "libcleave/reader.hpp"
-#include "tests/integration/daemons.hpp"
+#include "tests/integration/support/daemons.hpp"
 
 namespace cleave::test {
 namespace {

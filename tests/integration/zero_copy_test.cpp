@@ -2,8 +2,8 @@
 // counts its own large copies, and the test itself joins nothing: RouDi ends whoever joined it.
 #include <gtest/gtest.h>
 
-#include "tests/integration/process.hpp"
-#include "tests/integration/roudi_fixture.hpp"
+#include "tests/integration/support/process.hpp"
+#include "tests/integration/support/roudi_fixture.hpp"
 
 namespace cleave::test {
 namespace {

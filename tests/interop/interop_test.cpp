@@ -1,8 +1,8 @@
 // Another vendor's DDS reads our segment lists from the same contract.
 #include <gtest/gtest.h>
 
-#include "tests/integration/daemons.hpp"
-#include "tests/integration/small_clouds.hpp"
+#include "tests/integration/support/daemons.hpp"
+#include "tests/integration/support/small_clouds.hpp"
 
 namespace cleave::test {
 namespace {

@@ -4,7 +4,7 @@
 #include "recording/frames/frame_writer.hpp"
 #include "recording/mcap/reader.hpp"
 #include "recording/mcap/recover.hpp"
-#include "tests/integration/process.hpp"
+#include "tests/integration/support/process.hpp"
 #include "tests/interop/npm_packages.hpp"
 #include "tests/support/data_folder.hpp"
 #include "tests/unit/recording/recording_files.hpp"

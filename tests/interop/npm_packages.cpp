@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/integration/process.hpp"
+#include "tests/integration/support/process.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::test {

@@ -9,8 +9,8 @@
 #include "recording/error.hpp"
 #include "recording/ros/open_frames.hpp"
 #include "segmentation/segmenter.hpp"
-#include "sensor/renderer/scene_loop.hpp"
-#include "tests/integration/process.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
+#include "tests/integration/support/process.hpp"
 #include "tests/interop/npm_packages.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "cleave/evaluation/labelled_cloud.hpp"
+#include "workbench/evaluation/labelled_cloud.hpp"
 
 namespace cleave::tests {
 

@@ -2,21 +2,17 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cleave/commands/bench_command.hpp"
 #include "cleave/commands/convert_command.hpp"
 #include "cleave/commands/echo_command.hpp"
-#include "cleave/commands/evaluate_command.hpp"
 #include "cleave/commands/hz_command.hpp"
 #include "cleave/commands/info_command.hpp"
 #include "cleave/commands/list_command.hpp"
 #include "cleave/commands/record_command.hpp"
 #include "cleave/commands/recover_command.hpp"
 #include "cleave/commands/replay_command.hpp"
-#include "cleave/commands/segment_command.hpp"
 #include "cleave/commands/status_command.hpp"
-#include "cleave/commands/study_command.hpp"
-#include "cleave/commands/verify_command.hpp"
 #include "cleave/commands/watch_command.hpp"
+#include "cleave/commands/workbench_commands.hpp"
 
 namespace cleave::client {
 
@@ -41,16 +37,12 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_echo_command(app, action);
   add_hz_command(app, action);
   add_list_command(app, action);
-  add_segment_command(app, action);
   add_record_command(app, action);
   add_replay_command(app, action);
-  add_verify_command(app, action);
   add_info_command(app, action);
   add_convert_command(app, action);
   add_recover_command(app, action);
-  add_bench_command(app, action);
-  add_evaluate_command(app, action);
-  add_study_command(app, action);
+  add_workbench_commands(app, action);
 }
 
 }  // namespace cleave::client

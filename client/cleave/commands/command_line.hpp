@@ -1,7 +1,7 @@
 // The whole command line of `cleave`.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

@@ -8,14 +8,14 @@
 #include <map>
 #include <memory>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/commands/unit_option.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/terminal.hpp"
-#include "cleave/recording/extras.hpp"
-#include "cleave/recording/frame_sink.hpp"
-#include "cleave/recording/frame_source.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "console/live_line.hpp"
+#include "console/terminal.hpp"
+#include "console/unit_option.hpp"
 #include "recording/error.hpp"
+#include "recording/sources/extras.hpp"
+#include "recording/sources/frame_sink.hpp"
+#include "recording/sources/frame_source.hpp"
 
 namespace cleave::client {
 namespace {
@@ -28,7 +28,8 @@ struct ConvertOptions {
   LiveOptions sensor;
 };
 
-int convert(const ConvertOptions& options, FrameSource& source, FrameSink& sink) {
+int convert(const ConvertOptions& options, recording::FrameSource& source,
+            recording::FrameSink& sink) {
   const bool terminal = is_terminal(STDERR_FILENO);
   LiveLine line(std::cerr, live_columns(STDERR_FILENO));
   std::size_t frames = 0;
@@ -43,7 +44,8 @@ int convert(const ConvertOptions& options, FrameSource& source, FrameSink& sink)
     if (terminal) line.show(std::to_string(frames) + " frames");
   }
   std::size_t lost_extras = 0;
-  if (is_mcap(options.input)) lost_extras = copy_extras(mcap_input(options.input).file, sink);
+  if (recording::is_mcap(options.input))
+    lost_extras = recording::copy_extras(recording::mcap_input(options.input).file, sink);
   sink.close();
   line.erase();
   std::cout << options.output << ": " << frames << " frames";
@@ -60,9 +62,9 @@ int convert(const ConvertOptions& options, FrameSource& source, FrameSink& sink)
 // A conversion that fails leaves nothing behind, for what exists already is not replaced.
 int run(const ConvertOptions& options) {
   const std::string& sensor = options.sensor.sensor;
-  const auto source = open_frame_source(options.input, sensor.empty() ? "camera" : sensor,
-                                        options.unit.unit(), options.decimation);
-  const auto sink = open_frame_sink(options.output);
+  const auto source = recording::open_frame_source(
+      options.input, sensor.empty() ? "camera" : sensor, options.unit.unit(), options.decimation);
+  const auto sink = recording::open_frame_sink(options.output);
   try {
     return convert(options, *source, *sink);
   } catch (...) {

@@ -1,7 +1,7 @@
 // `cleave convert`: recordings from one format to another.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

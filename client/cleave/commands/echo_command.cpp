@@ -6,9 +6,11 @@
 #include <iostream>
 #include <memory>
 
-#include "cleave/commands/live_options.hpp"
+#include "cleave/stream/contract_frames.hpp"
 #include "cleave/stream/find_sensor.hpp"
+#include "cleave/stream/live_options.hpp"
 #include "cleave/stream/segment_message.hpp"
+#include "console/contract_json.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/wait_set.hpp"
 
@@ -34,11 +36,9 @@ int run(const EchoOptions& options) {
   while (!shutdown.requested()) {
     (void)wait_set.wait(longest_wait);
     while (const auto list = lists.take()) {
-      if (options.json) {
-        std::cout << one_line(client::json_of(**list)) << std::endl;
-      } else {
-        std::cout << text_of(**list) << std::flush;
-      }
+      const recording::SegmentList frame = frame_of(**list);
+      std::cout << (options.json ? one_line(contract_json(frame)) + '\n' : text_of(frame))
+                << std::flush;
       if (++printed == options.frames) return exit_done;
     }
   }

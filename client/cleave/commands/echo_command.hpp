@@ -1,7 +1,7 @@
 // `cleave echo`: segment lists as text or JSON.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

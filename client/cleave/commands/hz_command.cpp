@@ -8,13 +8,13 @@
 #include <iostream>
 #include <memory>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/json.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/table.hpp"
-#include "cleave/console/terminal.hpp"
 #include "cleave/stream/find_sensor.hpp"
 #include "cleave/stream/list_arrival.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "console/json.hpp"
+#include "console/live_line.hpp"
+#include "console/table.hpp"
+#include "console/terminal.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/wait_set.hpp"
 
@@ -59,13 +59,13 @@ std::string stage_table(const StreamSummary& summary) {
 Json json_of(const StreamSummary& summary, const std::string& sensor) {
   Json stages = Json::object();
   for (std::size_t stage = 0; stage < latency_stages.size(); ++stage) {
-    stages[latency_stages.at(stage)] = client::json_of(summary.stage_ms(stage));
+    stages[latency_stages.at(stage)] = cleave::json_of(summary.stage_ms(stage));
   }
   return {{"sensor", sensor},
           {"rate_hz", summary.mean_rate_hz()},
-          {"latency_ms", client::json_of(summary.latency_ms())},
+          {"latency_ms", cleave::json_of(summary.latency_ms())},
           {"stages_ms", stages},
-          {"total_ms", client::json_of(summary.total_ms())},
+          {"total_ms", cleave::json_of(summary.total_ms())},
           {"lists", summary.lists()},
           {"gaps", summary.gaps()}};
 }

@@ -1,7 +1,7 @@
 // `cleave hz`: rate and latency of the segment lists.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

@@ -11,10 +11,10 @@
 #include <memory>
 #include <utility>
 
-#include "cleave/console/json.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/table.hpp"
-#include "cleave/console/terminal.hpp"
+#include "console/json.hpp"
+#include "console/live_line.hpp"
+#include "console/table.hpp"
+#include "console/terminal.hpp"
 #include "recording/mcap/reader.hpp"
 #include "recording/ros/topic_survey.hpp"
 

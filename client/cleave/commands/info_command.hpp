@@ -1,7 +1,7 @@
 // `cleave info`: what a recording holds.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

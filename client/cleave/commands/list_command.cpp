@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/json.hpp"
-#include "cleave/console/table.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "console/json.hpp"
+#include "console/table.hpp"
 #include "libcleave/discovery.hpp"
 
 namespace cleave::client {

@@ -1,7 +1,7 @@
 // `cleave list`: which topics exist, and who writes and reads them.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

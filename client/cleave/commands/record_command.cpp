@@ -8,13 +8,13 @@
 #include <iostream>
 #include <memory>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/terminal.hpp"
-#include "cleave/recording/frame_sink.hpp"
-#include "cleave/recording/record_session.hpp"
-#include "cleave/recording/topic_names.hpp"
+#include "cleave/record/record_session.hpp"
 #include "cleave/stream/find_sensor.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "cleave/stream/topic_names.hpp"
+#include "console/live_line.hpp"
+#include "console/terminal.hpp"
+#include "recording/sources/frame_sink.hpp"
 
 namespace cleave::client {
 namespace {
@@ -68,7 +68,7 @@ std::string record(RecordSession& session, BackgroundWriter& writer, Shutdown& s
 
 int run(const RecordOptions& options) {
   const std::set<recording::Kind> topics = kinds_of(options.topics);
-  refuse_existing(options.output);
+  recording::refuse_existing(options.output);
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
   const std::string sensor =

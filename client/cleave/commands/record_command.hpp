@@ -1,7 +1,7 @@
 // `cleave record`: the live stream into a file.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cleave/recording/frame_sink.hpp"
 #include "recording/mcap/recover.hpp"
+#include "recording/sources/frame_sink.hpp"
 
 namespace cleave::client {
 namespace {
@@ -20,7 +20,7 @@ struct RecoverOptions {
 };
 
 int run(const RecoverOptions& options) {
-  refuse_existing(options.output);
+  recording::refuse_existing(options.output);
   const recording::Recovery recovery = recording::recover(options.damaged, options.output);
   const std::vector<std::string>& named = recovery.problems.texts();
   for (const std::string& problem : named) spdlog::warn("damaged: {}", problem);

@@ -1,7 +1,7 @@
 // `cleave recover`: what is left of a damaged recording.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

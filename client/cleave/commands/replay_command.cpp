@@ -9,12 +9,12 @@
 #include <iostream>
 #include <memory>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/terminal.hpp"
-#include "cleave/recording/background_writer.hpp"
-#include "cleave/recording/replay_session.hpp"
-#include "cleave/recording/topic_names.hpp"
+#include "cleave/record/background_writer.hpp"
+#include "cleave/replay/replay_session.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "cleave/stream/topic_names.hpp"
+#include "console/live_line.hpp"
+#include "console/terminal.hpp"
 #include "libcleave/discovery.hpp"
 
 namespace cleave::client {

@@ -1,7 +1,7 @@
 // `cleave replay`: a recording onto the stream.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

@@ -8,10 +8,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/terminal.hpp"
+#include "cleave/stream/live_options.hpp"
 #include "cleave/stream/node_table.hpp"
 #include "cleave/stream/status_reader.hpp"
+#include "console/terminal.hpp"
 
 namespace cleave::client {
 namespace {
@@ -22,7 +22,7 @@ struct StatusOptions {
   bool watch = false;
 };
 
-constexpr std::chrono::milliseconds patience{2000};
+constexpr std::chrono::milliseconds nodes_patience{2000};
 constexpr std::chrono::milliseconds status_refresh_interval{1000};
 constexpr const char* clear_screen = "\x1b[H\x1b[2J";
 
@@ -41,7 +41,7 @@ int run(const StatusOptions& options) {
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
   StatusReader statuses(stream);
-  const std::vector<NodeReport> reports = statuses.collect(shutdown, patience);
+  const std::vector<NodeReport> reports = statuses.collect(shutdown, nodes_patience);
   if (reports.empty() && !shutdown.requested() && !options.watch) {
     throw std::runtime_error(
         fmt::format("no node answers on domain {}; start ./service/demo, or cleave-grabber and "

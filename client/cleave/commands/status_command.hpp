@@ -1,7 +1,7 @@
 // `cleave status`: what the nodes say of themselves.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

@@ -8,14 +8,14 @@
 #include <memory>
 #include <stdexcept>
 
-#include "cleave/cloud/picture.hpp"
-#include "cleave/cloud/png_file.hpp"
-#include "cleave/cloud/segment_table.hpp"
-#include "cleave/commands/live_options.hpp"
-#include "cleave/console/live_line.hpp"
-#include "cleave/console/terminal.hpp"
 #include "cleave/stream/find_sensor.hpp"
-#include "cleave/stream/watch_session.hpp"
+#include "cleave/stream/live_options.hpp"
+#include "cleave/watch/watch_session.hpp"
+#include "console/live_line.hpp"
+#include "console/picture/picture.hpp"
+#include "console/picture/png_file.hpp"
+#include "console/segment_table.hpp"
+#include "console/terminal.hpp"
 
 namespace cleave::client {
 namespace {

@@ -1,7 +1,7 @@
 // `cleave watch`: every frame of a sensor until the stream ends, and a summary.
 #pragma once
 
-#include "cleave/commands/command.hpp"
+#include "console/command.hpp"
 
 namespace cleave::client {
 

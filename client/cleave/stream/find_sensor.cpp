@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "cleave/console/table.hpp"
 #include "cleave/stream/status_reader.hpp"
+#include "console/table.hpp"
 
 namespace cleave::client {
 

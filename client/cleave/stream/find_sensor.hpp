@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/stream.hpp"
 
 namespace cleave::client {

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "cleave/stream/stream_summary.hpp"
+#include "cleave/watch/stream_summary.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave::client {

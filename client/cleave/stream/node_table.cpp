@@ -2,7 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "cleave/console/table.hpp"
+#include "console/contract_json.hpp"
+#include "console/table.hpp"
+#include "idl/fields.hpp"
 
 namespace cleave::client {
 namespace {
@@ -33,6 +35,17 @@ std::string details_of(const NodeReport& r) {
   return text;
 }
 
+struct NodeFields : JsonFields {
+  template <class Enum>
+  void choice(const char* name, const Enum& value) {
+    json[name] = to_string(value);
+  }
+  template <class List>
+  void each(const char* name, const List& /*list*/, const Counts& counts) {
+    json[name] = counts;
+  }
+};
+
 }  // namespace
 
 std::string node_table(const std::vector<NodeReport>& reports) {
@@ -49,7 +62,7 @@ std::string node_table(const std::vector<NodeReport>& reports) {
                {"latency median/p90/p99 [ms]", Align::right}});
   std::string details;
   for (const NodeReport& r : reports) {
-    table.add_row({r.node, to_string(r.state), to_string(r.transport),
+    table.add_row({r.node, to_string(r.state), to_string(r.transport_in_force),
                    fmt::format("{}", r.frames_in), fmt::format("{}", r.frames_out),
                    fmt::format("{}", r.frames_dropped), fmt::format("{}", r.frames_rejected),
                    fmt::format("{}", r.frames_in_flight), fmt::format("{}", r.frames_zero_copy),
@@ -62,28 +75,13 @@ std::string node_table(const std::vector<NodeReport>& reports) {
 }
 
 Json json_of(const NodeReport& r) {
-  return {{"node", r.node},
-          {"version", r.version},
-          {"sensor", r.sensor},
-          {"process_id", r.process_id},
-          {"state", to_string(r.state)},
-          {"transport", to_string(r.transport)},
-          {"transport_reason", r.transport_reason},
-          {"frames_in", r.frames_in},
-          {"frames_out", r.frames_out},
-          {"frames_dropped", r.frames_dropped},
-          {"frames_rejected", r.frames_rejected},
-          {"frames_in_flight", r.frames_in_flight},
-          {"frames_zero_copy", r.frames_zero_copy},
-          {"interruptions", r.interruptions},
-          {"dropped_by_cause", r.dropped_by_cause},
-          {"rejected_by_cause", r.rejected_by_cause},
-          {"rate_hz", decimal(r.rate_hz)},
-          {"latency_ms",
-           {{"median", decimal(r.latency_median_ms)},
-            {"p90", decimal(r.latency_p90_ms)},
-            {"p99", decimal(r.latency_p99_ms)}}},
-          {"last_error", r.last_error}};
+  NodeFields fields;
+  cleave::fields::node_status(fields, r);
+  fields.json["transport"] = to_string(r.transport_in_force);
+  fields.json["latency_ms"] = {{"median", decimal(r.latency_median_ms)},
+                               {"p90", decimal(r.latency_p90_ms)},
+                               {"p99", decimal(r.latency_p99_ms)}};
+  return std::move(fields.json);
 }
 
 }  // namespace cleave::client

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cleave/console/json.hpp"
+#include "console/json.hpp"
 #include "libcleave/status.hpp"
 
 namespace cleave::client {
@@ -13,7 +13,8 @@ namespace cleave::client {
 // frames dropped and rejected by cause, the last error.
 [[nodiscard]] std::string node_table(const std::vector<NodeReport>& reports);
 
-// Keys as in the contract's NodeStatus, with latency_ms {median, p90, p99}.
+// Keys as in the contract's NodeStatus; and `transport`, the one in force, and latency_ms {median,
+// p90, p99}, as `cleave watch` has them.
 [[nodiscard]] Json json_of(const NodeReport& report);
 
 }  // namespace cleave::client

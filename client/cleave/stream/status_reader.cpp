@@ -10,7 +10,7 @@ using std::chrono_literals::operator""ms;
 
 constexpr auto moment = 500ms;      // in which the other nodes answer, once one has
 constexpr auto heard_for = 3000ms;  // nodes report every second
-constexpr auto longest_wait = 100ms;
+constexpr auto status_wait = 100ms;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::vector<NodeReport> StatusReader::collect(Shutdown& shutdown,
       answered = true;
       end = std::min(end, Clock::now() + moment);
     }
-    (void)wait_set_.wait(longest_wait);
+    (void)wait_set_.wait(status_wait);
   }
   return living();
 }

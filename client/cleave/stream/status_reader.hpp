@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "libcleave/process/shutdown.hpp"
 #include "libcleave/reader.hpp"
-#include "libcleave/shutdown.hpp"
 #include "libcleave/status.hpp"
 #include "libcleave/wait_set.hpp"
 

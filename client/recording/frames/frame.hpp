@@ -1,16 +1,16 @@
-// What recordings hold, free of any transport: the contract's types in plain C++.
+// What recordings hold, free of any transport: the contract's types in plain C++, with the members
+// that idl/fields.hpp visits.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace cleave::recording {
+#include "idl/capacity.hpp"
 
-inline constexpr std::size_t capacity_points = std::size_t{640} * 480;  // of the contract
+namespace cleave::recording {
 
 // As the contract's FrameHeader.
 struct FrameHeader {
@@ -47,32 +47,68 @@ struct Labels {
   bool operator==(const Labels&) const = default;
 };
 
+struct Point {
+  float x = 0, y = 0, z = 0;
+  bool operator==(const Point&) const = default;
+};
+
+struct Quaternion {
+  float x = 0, y = 0, z = 0, w = 0;
+  bool operator==(const Quaternion&) const = default;
+};
+
+struct ImageRectangle {
+  std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
+  bool operator==(const ImageRectangle&) const = default;
+};
+
+struct OrientedBox {
+  Point centre;
+  Quaternion orientation;
+  Point extent;
+  bool operator==(const OrientedBox&) const = default;
+};
+
 struct Segment {
   std::uint16_t label = 0;
   std::uint32_t point_count = 0;
-  std::array<float, 3> centroid{};
-  std::array<float, 3> mean_normal{};
-  std::array<float, 3> box_centre{};
-  std::array<float, 4> box_orientation{};  // x, y, z, w
-  std::array<float, 3> box_extent{};
-  std::array<std::uint32_t, 4> rectangle{};  // left, top, right, bottom
+  Point centroid;
+  Point mean_normal;
+  OrientedBox box;
+  ImageRectangle rectangle;
   float planarity = 0;
   bool operator==(const Segment&) const = default;
 };
 
+enum class BorderKind : std::uint32_t { concave, convex };
+[[nodiscard]] const char* name_of(BorderKind kind);  // "concave", "convex"
+
 struct Border {
   std::uint16_t first = 0;
   std::uint16_t second = 0;
-  bool convex = false;
+  BorderKind kind = BorderKind::concave;
   bool operator==(const Border&) const = default;
 };
+
+// Why a frame has segments, or none. Another version's may have values beyond these.
+enum class FrameOutcome : std::uint32_t {
+  segmented,
+  bad_size,
+  bad_header,
+  no_finite_point,
+  segmentation_failed,
+  too_many_segments,
+  wrong_unit
+};
+// "segmented", "bad size", ...; "unknown".
+[[nodiscard]] const char* name_of(FrameOutcome outcome);
 
 // As the contract's SegmentList.
 struct SegmentList {
   FrameHeader header;
   std::int64_t cloud_publication_time_ns = 0;
   std::int64_t cloud_reception_time_ns = 0;
-  std::uint32_t outcome = 0;  // the contract's FrameOutcome; 0 = segmented
+  FrameOutcome outcome = FrameOutcome::segmented;
   std::vector<Segment> segments;
   std::vector<Border> borders;
   float queue_ms = 0;

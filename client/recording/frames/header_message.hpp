@@ -12,4 +12,7 @@ void write_header(CdrWriter& cdr, const FrameHeader& header);
 // Throws DataError: too short, a name without end, or a size beyond the contract's capacity.
 [[nodiscard]] FrameHeader read_header(CdrReader& cdr);
 
+// Throws DataError for a size beyond the contract's capacity.
+void check_capacity(const FrameHeader& header);
+
 }  // namespace cleave::recording

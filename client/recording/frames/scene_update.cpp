@@ -1,6 +1,5 @@
 #include "recording/frames/scene_update.hpp"
 
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -10,9 +9,12 @@
 namespace cleave::recording {
 namespace {
 
-template <std::size_t size>
-void write_doubles(CdrWriter& cdr, const std::array<float, size>& values) {
-  for (const float value : values) cdr.number(double{value});
+void write_point(CdrWriter& cdr, const Point& p) {
+  for (const float value : {p.x, p.y, p.z}) cdr.number(double{value});
+}
+
+void write_quaternion(CdrWriter& cdr, const Quaternion& q) {
+  for (const float value : {q.x, q.y, q.z, q.w}) cdr.number(double{value});
 }
 
 // Hues that step by the golden ratio: labels that follow each other differ most.
@@ -28,15 +30,15 @@ void write_colour(CdrWriter& cdr, std::uint16_t label, double opacity) {
 
 void write_box(CdrWriter& cdr, const Segment& segment) {
   constexpr double opacity = 0.4;
-  write_doubles(cdr, segment.box_centre);
-  write_doubles(cdr, segment.box_orientation);
-  write_doubles(cdr, segment.box_extent);
+  write_point(cdr, segment.box.centre);
+  write_quaternion(cdr, segment.box.orientation);
+  write_point(cdr, segment.box.extent);
   write_colour(cdr, segment.label, opacity);
 }
 
 void write_text(CdrWriter& cdr, const Segment& segment) {
   constexpr double font_size_m = 0.03;
-  write_doubles(cdr, segment.box_centre);
+  write_point(cdr, segment.box.centre);
   for (const double q : {0.0, 0.0, 0.0, 1.0}) cdr.number(q);
   cdr.boolean(true);  // faces the camera
   cdr.number(font_size_m);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "recording/mcap/compression/lz4.hpp"
+#include "recording/mcap/compression/zstd.hpp"
 #include "recording/mcap/format.hpp"
-#include "recording/mcap/lz4.hpp"
-#include "recording/mcap/zstd.hpp"
 
 namespace cleave::recording {
 namespace {

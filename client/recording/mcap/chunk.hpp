@@ -1,7 +1,7 @@
 // What is in a chunk.
 #pragma once
 
-#include "recording/mcap/block.hpp"
+#include "recording/mcap/compression/block.hpp"
 
 namespace cleave::recording {
 

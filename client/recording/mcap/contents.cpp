@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "recording/mcap/field_source.hpp"
 #include "recording/mcap/find_record.hpp"
+#include "recording/mcap/io/field_source.hpp"
 #include "recording/mcap/sums.hpp"
 
 namespace cleave::recording {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "recording/mcap/format.hpp"
-#include "recording/mcap/input_file.hpp"
+#include "recording/mcap/io/input_file.hpp"
 #include "recording/problems.hpp"
 
 namespace cleave::recording {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstring>
 
-#include "recording/mcap/field_source.hpp"
 #include "recording/mcap/format.hpp"
+#include "recording/mcap/io/field_source.hpp"
 
 namespace cleave::recording {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "recording/mcap/block.hpp"
+#include "recording/mcap/compression/block.hpp"
 #include "recording/mcap/format.hpp"
-#include "recording/mcap/input_file.hpp"
+#include "recording/mcap/io/input_file.hpp"
 
 namespace cleave::recording {
 

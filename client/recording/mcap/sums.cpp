@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "recording/mcap/field_source.hpp"
+#include "recording/mcap/io/field_source.hpp"
 
 namespace cleave::recording {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "recording/mcap/contents.hpp"
-#include "recording/mcap/input_file.hpp"
+#include "recording/mcap/io/input_file.hpp"
 
 namespace cleave::recording {
 

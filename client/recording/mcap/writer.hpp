@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "recording/mcap/compression/zstd.hpp"
 #include "recording/mcap/format.hpp"
-#include "recording/mcap/output_file.hpp"
-#include "recording/mcap/zstd.hpp"
+#include "recording/mcap/io/output_file.hpp"
 
 namespace cleave::recording {
 

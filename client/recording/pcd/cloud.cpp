@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string>
 
-#include "recording/pcd/body.hpp"
+#include "recording/pcd/encoding/body.hpp"
 
 namespace cleave::recording {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "recording/pcd/lzf.hpp"
+#include "recording/pcd/encoding/lzf.hpp"
 #include "recording/replace_file.hpp"
 
 namespace cleave::recording {

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "segmentation/cloud_view.hpp"
-#include "segmentation/view/camera_finder.hpp"
+#include "segmentation/view/camera/camera_finder.hpp"
+#include "segmentation/view/camera/pixel_sample.hpp"
 #include "segmentation/view/own_frame.hpp"
-#include "segmentation/view/pixel_sample.hpp"
 #include "segmentation/view/view.hpp"
 
 namespace cleave::segmentation {

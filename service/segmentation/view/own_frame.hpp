@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "segmentation/view/pixel_sample.hpp"
+#include "segmentation/view/camera/pixel_sample.hpp"
 #include "segmentation/view/storage_order.hpp"
 
 namespace cleave::segmentation {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "segmentation/point_set.hpp"
+#include "segmentation/points/point_set.hpp"
 #include "segmentation/view/measured.hpp"
 
 namespace cleave::segmentation {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "segmentation/multiversion.hpp"
+#include "segmentation/math/multiversion.hpp"
 #include "segmentation/view/measured.hpp"
 
 namespace cleave::segmentation {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "segmentation/cell_ranking.hpp"
 #include "segmentation/cloud_view.hpp"
+#include "segmentation/math/cell_ranking.hpp"
 #include "segmentation/view/middle.hpp"
 
 namespace cleave::segmentation {

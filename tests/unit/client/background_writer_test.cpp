@@ -1,10 +1,10 @@
-#include "cleave/recording/background_writer.hpp"
+#include "cleave/record/background_writer.hpp"
 
 #include <gtest/gtest.h>
 
 #include "recording/error.hpp"
 #include "recording/frames/frame_reader.hpp"
-#include "temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::client {
@@ -18,7 +18,7 @@ class Recorder : public testing::Test {
     const recording::McapReader reader(file_);
     return reader.contents().metadata.at(0).entries;
   }
-  TemporaryFolder folder_;
+  tests::TemporaryFolder folder_;
   const std::filesystem::path file_ = folder_.path() / "a.mcap";
 };
 

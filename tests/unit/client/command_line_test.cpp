@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
-#include "cleave/commands/live_options.hpp"
+#include "cleave/stream/live_options.hpp"
 
 namespace cleave::client {
 namespace {

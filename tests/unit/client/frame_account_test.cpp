@@ -1,4 +1,4 @@
-#include "cleave/stream/frame_account.hpp"
+#include "cleave/watch/frame_account.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,16 +5,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cleave/console/json.hpp"
-#include "temporary_folder.hpp"
-#include "tests/unit/recording/mcap_bytes.hpp"
+#include "console/json.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/unit/recording/mcap/mcap_bytes.hpp"
 #include "tests/unit/recording/recording_files.hpp"
 
 namespace cleave::client {
 namespace {
 
 TEST(InfoCommand, ListsEveryMetadataRecordAlsoWhereSeveralHaveOneName) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "a.mcap";
   recording::McapBytes bytes = recording::begun_file();
   bytes.metadata("notes").metadata("notes").message(1, 1).footer();

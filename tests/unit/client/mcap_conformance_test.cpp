@@ -12,8 +12,8 @@
 #include "cleave/commands/info_command.hpp"
 #include "cleave/commands/recover_command.hpp"
 #include "recording/mcap/reader.hpp"
-#include "temporary_folder.hpp"
 #include "tests/support/data_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace cleave::client {
 namespace {
@@ -93,7 +93,7 @@ class McapConformance : public testing::TestWithParam<const char*> {
   static fs::path list_of(fs::path file) { return file.replace_extension(".json"); }
 
   const std::vector<fs::path> files_ = files_of(GetParam());
-  const TemporaryFolder folder_;
+  const tests::TemporaryFolder folder_;
 };
 
 TEST_P(McapConformance, InfoCountsEveryRecordAndSaysThatTheFileIsWhole) {

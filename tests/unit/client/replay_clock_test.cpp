@@ -1,4 +1,4 @@
-#include "cleave/recording/replay_clock.hpp"
+#include "cleave/replay/replay_clock.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "cleave/stream/stream_summary.hpp"
+#include "cleave/watch/stream_summary.hpp"
 
 #include <gtest/gtest.h>
 
-#include "cleave/stream/cpu_share.hpp"
 #include "cleave/stream/list_arrival.hpp"
 #include "cleave/stream/segment_message.hpp"
+#include "cleave/watch/cpu_share.hpp"
 
 namespace cleave::client {
 namespace {

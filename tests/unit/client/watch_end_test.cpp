@@ -1,10 +1,10 @@
-#include "cleave/stream/watch_end.hpp"
+#include "cleave/watch/watch_end.hpp"
 
 #include <gtest/gtest.h>
 
 #include "cleave/stream/find_sensor.hpp"
 #include "cleave/stream/node_table.hpp"
-#include "cleave/stream/watch_report.hpp"
+#include "cleave/watch/watch_report.hpp"
 #include "reports.hpp"
 
 namespace cleave::client {

@@ -1,5 +1,5 @@
 // The part of the client that touches DDS, over the network path of one process.
-#include "cleave/stream/watch_session.hpp"
+#include "cleave/watch/watch_session.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sensor/capture_clock.hpp"
+#include "sensor/sources/capture_clock.hpp"
 
 #include <gtest/gtest.h>
 

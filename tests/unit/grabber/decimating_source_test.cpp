@@ -1,4 +1,4 @@
-#include "sensor/decimating_source.hpp"
+#include "sensor/sources/decimating_source.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sensor/make_source.hpp"
+#include "sensor/sources/make_source.hpp"
 
 #include <gtest/gtest.h>
 

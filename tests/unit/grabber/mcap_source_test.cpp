@@ -1,10 +1,10 @@
-#include "sensor/mcap_source.hpp"
+#include "sensor/sources/mcap_source.hpp"
 
 #include <gtest/gtest.h>
 
 #include "recording/frames/frame_writer.hpp"
 #include "tests/unit/recording/recording_files.hpp"
-#include "tests/unit/ros/ros_bytes.hpp"
+#include "tests/unit/recording/ros/ros_bytes.hpp"
 
 namespace cleave::sensor {
 namespace {

@@ -1,4 +1,4 @@
-#include "sensor/openni2_source.hpp"
+#include "sensor/sources/openni2/openni2_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "sensor/make_source.hpp"
+#include "sensor/sources/make_source.hpp"
 
 namespace cleave::sensor {
 namespace {

@@ -1,4 +1,4 @@
-#include "sensor/pcd_source.hpp"
+#include "sensor/sources/pcd_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "recording/pcd/folder.hpp"
 #include "tests/support/data_folder.hpp"
-#include "tests/unit/recording/pcd_files.hpp"
+#include "tests/unit/recording/pcd/pcd_files.hpp"
 
 namespace cleave::sensor {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sensor/source.hpp"
+#include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 

@@ -3,7 +3,7 @@
 #include <dds/dds.h>
 #include <gtest/gtest.h>
 
-#include "libcleave/topic.hpp"
+#include "libcleave/internal/topic.hpp"
 
 namespace cleave {
 namespace {

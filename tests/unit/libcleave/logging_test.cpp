@@ -1,4 +1,4 @@
-#include "libcleave/logging.hpp"
+#include "libcleave/process/logging.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "libcleave/lossless_window.hpp"
+#include "libcleave/internal/lossless_window.hpp"
 
 #include <gtest/gtest.h>
 

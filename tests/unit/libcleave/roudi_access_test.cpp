@@ -1,4 +1,4 @@
-#include "libcleave/roudi_access.hpp"
+#include "libcleave/internal/roudi_access.hpp"
 
 #include <grp.h>
 #include <gtest/gtest.h>

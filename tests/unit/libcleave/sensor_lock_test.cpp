@@ -1,4 +1,4 @@
-#include "libcleave/sensor_lock.hpp"
+#include "libcleave/process/sensor_lock.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "libcleave/shutdown.hpp"
+#include "libcleave/process/shutdown.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

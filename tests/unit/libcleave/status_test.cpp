@@ -15,7 +15,7 @@ NodeReport full_report() {
   report.sensor = test::sensor_name();
   report.process_id = 42;
   report.state = NodeState::source_lost;
-  report.transport = Transport::shared_memory;
+  report.transport_in_force = Transport::shared_memory;
   report.transport_reason = "RouDi answers";
   report.frames_in = 10;
   report.frames_out = 6;
@@ -47,7 +47,7 @@ TEST(Status, ReachesALateJoinerAsItWasReported) {
     return received.node == sent.node;
   }));
   EXPECT_EQ(received.state, NodeState::source_lost);
-  EXPECT_EQ(received.transport, Transport::shared_memory);
+  EXPECT_EQ(received.transport_in_force, Transport::shared_memory);
   EXPECT_EQ(received.frames_in, 10U);
   EXPECT_EQ(received.interruptions, 3U);
   EXPECT_EQ(received.frames_zero_copy, 9U);

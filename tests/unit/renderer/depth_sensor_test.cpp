@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sensor/renderer/scene.hpp"
+#include "sensor/renderer/scene/scene.hpp"
 
 namespace cleave::render {
 namespace {

@@ -1,10 +1,10 @@
-#include "sensor/renderer/ray_cast.hpp"
+#include "sensor/renderer/view/ray_cast.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sensor/renderer/object_view.hpp"
+#include "sensor/renderer/view/object_view.hpp"
 
 namespace cleave::render {
 namespace {

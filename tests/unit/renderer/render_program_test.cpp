@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sensor/renderer/scene_loop.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
 
 namespace cleave::render {
 namespace {

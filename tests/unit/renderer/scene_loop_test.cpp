@@ -1,4 +1,4 @@
-#include "sensor/renderer/scene_loop.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
 
 #include <gtest/gtest.h>
 

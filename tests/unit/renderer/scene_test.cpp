@@ -1,4 +1,4 @@
-#include "sensor/renderer/scene.hpp"
+#include "sensor/renderer/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sensor/renderer/random.hpp"
+#include "sensor/renderer/scene/random.hpp"
 
 namespace cleave::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "sensor/renderer/scene_uri.hpp"
+#include "sensor/renderer/scene/scene_uri.hpp"
 
 #include <gtest/gtest.h>
 

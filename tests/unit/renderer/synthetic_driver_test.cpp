@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sensor/renderer/scene_loop.hpp"
+#include "sensor/renderer/scene/scene_loop.hpp"
 
 namespace cleave::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "sensor/renderer/visible_parts.hpp"
+#include "sensor/renderer/view/visible_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "sensor/renderer/scene.hpp"
+#include "sensor/renderer/scene/scene.hpp"
 
 namespace cleave::render {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <set>
 
-#include "depth_scene.hpp"
-#include "segmented.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
+#include "tests/unit/segmentation/support/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "cleave/bench/allocation_counter.hpp"
-#include "depth_scene.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
-#include "table_cloud.hpp"
+#include "tests/unit/segmentation/support/table_cloud.hpp"
 #include "view/stored_scene.hpp"
+#include "workbench/bench/allocation_counter.hpp"
 
 namespace cleave::segmentation {
 namespace {

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <vector>
 
-#include "cleave/evaluation/labelled_cloud.hpp"
-#include "cleave/evaluation/quality.hpp"
 #include "recording/pcd/folder.hpp"
 #include "segmentation/segmenter.hpp"
 #include "tests/support/data_folder.hpp"
+#include "workbench/evaluation/labelled_cloud.hpp"
+#include "workbench/evaluation/quality.hpp"
 
 namespace cleave::segmentation {
 namespace {

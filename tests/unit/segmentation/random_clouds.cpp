@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "random_cloud.hpp"
-#include "segment_cloud.hpp"
+#include "tests/unit/segmentation/support/random_cloud.hpp"
+#include "tests/unit/segmentation/support/segment_cloud.hpp"
 #include "segmentation/view/measured.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 #include <limits>
 #include <random>
 
-#include "segment_cloud.hpp"
 #include "segmentation/view/measured.hpp"
 #include "tests/support/box_scene.hpp"
+#include "tests/unit/segmentation/support/segment_cloud.hpp"
 
 namespace cleave::segmentation {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <map>
 
-#include "cleave/evaluation/quality.hpp"
-#include "segment_cloud.hpp"
 #include "tests/support/box_scene.hpp"
+#include "tests/unit/segmentation/support/segment_cloud.hpp"
+#include "workbench/evaluation/quality.hpp"
 
 namespace cleave::segmentation {
 namespace {

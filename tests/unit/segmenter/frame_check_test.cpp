@@ -1,4 +1,4 @@
-#include "segmenter/frame_check.hpp"
+#include "segmenter/pipeline/frame_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "segmenter/frame_ledger.hpp"
+#include "segmenter/pipeline/frame_ledger.hpp"
 
 #include <gtest/gtest.h>
 

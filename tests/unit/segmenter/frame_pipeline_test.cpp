@@ -1,5 +1,5 @@
 // The whole pipeline with segmenters of random duration: what the daemon does but for DDS.
-#include "segmenter/frame_pipeline.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 
 #include <gtest/gtest.h>
 

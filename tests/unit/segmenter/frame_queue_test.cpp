@@ -1,4 +1,4 @@
-#include "segmenter/frame_queue.hpp"
+#include "segmenter/pipeline/frame_queue.hpp"
 
 #include <gtest/gtest.h>
 

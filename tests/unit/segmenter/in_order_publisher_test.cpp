@@ -1,4 +1,4 @@
-#include "segmenter/in_order_publisher.hpp"
+#include "segmenter/pipeline/in_order_publisher.hpp"
 
 #include <gtest/gtest.h>
 

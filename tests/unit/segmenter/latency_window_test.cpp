@@ -1,4 +1,4 @@
-#include "segmenter/latency_window.hpp"
+#include "segmenter/pipeline/latency_window.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "segmenter/frame_pipeline.hpp"
+#include "segmenter/pipeline/frame_pipeline.hpp"
 
 namespace cleave::service::test {
 

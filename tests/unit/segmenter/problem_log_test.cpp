@@ -1,4 +1,4 @@
-#include "segmenter/problem_log.hpp"
+#include "segmenter/pipeline/problem_log.hpp"
 
 #include <gtest/gtest.h>
 

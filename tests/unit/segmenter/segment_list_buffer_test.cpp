@@ -1,4 +1,4 @@
-#include "segmenter/segment_list_buffer.hpp"
+#include "segmenter/pipeline/segment_list_buffer.hpp"
 
 #include <gtest/gtest.h>
 

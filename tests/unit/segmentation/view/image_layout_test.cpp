@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "cleave/evaluation/labelled_cloud.hpp"
 #include "recording/pcd/folder.hpp"
 #include "stored_scene.hpp"
 #include "tests/support/box_scene.hpp"
 #include "tests/support/data_folder.hpp"
-#include "tests/unit/segmentation/depth_scene.hpp"
-#include "tests/unit/segmentation/segmented.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
+#include "tests/unit/segmentation/support/segmented.hpp"
+#include "workbench/evaluation/labelled_cloud.hpp"
 
 namespace cleave::segmentation {
 namespace {

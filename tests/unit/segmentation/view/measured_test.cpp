@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "stored_scene.hpp"
-#include "tests/unit/segmentation/depth_scene.hpp"
-#include "tests/unit/segmentation/segmented.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
+#include "tests/unit/segmentation/support/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {

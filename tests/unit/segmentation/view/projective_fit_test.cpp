@@ -1,4 +1,4 @@
-#include "segmentation/view/projective_fit.hpp"
+#include "segmentation/view/camera/projective_fit.hpp"
 
 #include <gtest/gtest.h>
 

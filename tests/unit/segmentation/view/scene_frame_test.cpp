@@ -3,8 +3,8 @@
 #include <random>
 
 #include "stored_scene.hpp"
-#include "tests/unit/segmentation/depth_scene.hpp"
-#include "tests/unit/segmentation/segmented.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
+#include "tests/unit/segmentation/support/segmented.hpp"
 
 namespace cleave::segmentation {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "tests/unit/segmentation/depth_scene.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 
 namespace cleave::segmentation {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "segmentation/cloud_view.hpp"
 #include "segmentation/view/storage_order.hpp"
-#include "tests/unit/segmentation/depth_scene.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 
 namespace cleave::segmentation {
 

@@ -1,0 +1,46 @@
+#include "cleave/commands/workbench_commands.hpp"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cleave::client {
+namespace {
+
+[[noreturn]] void run_workbench(std::string command, std::vector<std::string> words) {
+  const auto program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cleave-workbench";
+  words.insert(words.begin(), {program.string(), std::move(command)});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(program.c_str(), arguments.data());
+  const int error = errno;
+  throw std::runtime_error(
+      "'cleave " + words[1] + "' is run by " + program.string() +
+      ", which cannot be started: " + std::strerror(error) +
+      (error == ENOENT ? "; install the package cleave-workbench, or build the target of that name"
+                       : ""));
+}
+
+}  // namespace
+
+void add_workbench_commands(CLI::App& app, Action& action) {
+  for (const auto& [name, description] : workbench_commands) {
+    CLI::App* command = app.add_subcommand(std::string(name), std::string(description));
+    command->set_help_flag();  // --help is the other program's as well
+    command->prefix_command();
+    command->callback([command, &action] {
+      action = [command]() -> int { run_workbench(command->get_name(), command->remaining()); };
+    });
+  }
+}
+
+}  // namespace cleave::client

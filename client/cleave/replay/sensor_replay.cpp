@@ -1,0 +1,132 @@
+#include "cleave/replay/sensor_replay.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cleave/stream/contract_frames.hpp"
+
+namespace cleave::client {
+namespace {
+
+constexpr std::chrono::milliseconds status_interval{500};
+// Label maps and segment lists follow their clouds by fewer frames than that.
+constexpr std::size_t remembered_clouds = 64;
+// Kept for readers that the network serves, which may come in bursts.
+constexpr WriterDepth writer_depth{8};
+
+}  // namespace
+
+SensorReplay::SensorReplay(Stream& stream, const std::string& sensor,
+                           const std::set<recording::Kind>& kinds,
+                           std::optional<std::uint32_t> window)
+    : statuses_(stream) {
+  const bool has_clouds = kinds.contains(recording::Kind::cloud);
+  if (has_clouds) {
+    lock_.emplace(stream.options().domain, sensor);
+    clouds_.emplace(stream, sensor, writer_depth);
+  }
+  if (kinds.contains(recording::Kind::labels)) labels_.emplace(stream, sensor, writer_depth);
+  if (kinds.contains(recording::Kind::segments)) lists_.emplace(stream, sensor, writer_depth);
+  if (window) flow_.emplace(stream, sensor, *window);
+  report_.node = (has_clouds ? "grabber/" : "replay/") + sensor;
+  report_.version = CLEAVE_VERSION;
+  report_.sensor = sensor;
+  report_.process_id = static_cast<std::uint32_t>(::getpid());
+  report_.state = NodeState::running;
+  report_.transport_in_force = stream.transport();
+  report_.transport_reason = stream.transport_reason();
+}
+
+void SensorReplay::update() {
+  const auto now = Clock::now();
+  if (flow_) flow_->update(now, *clouds_);
+  if (now >= next_status_) publish_status();
+}
+
+void SensorReplay::set_state(NodeState state) {
+  report_.state = state;
+  publish_status();
+}
+
+void SensorReplay::publish_status() {
+  next_status_ = Clock::now() + status_interval;
+  report_.frames_in = report_.frames_out;
+  report_.frames_in_flight = in_flight();
+  statuses_.publish(report_);
+}
+
+bool SensorReplay::has_readers() const {
+  if (flow_) return clouds_->matched_readers() > 0 && flow_->segmenters() > 0;
+  return (clouds_ && clouds_->matched_readers() > 0) ||
+         (labels_ && labels_->matched_readers() > 0) || (lists_ && lists_->matched_readers() > 0);
+}
+
+bool SensorReplay::ready() const {
+  return has_readers() && (!flow_ || flow_->ready());
+}
+
+bool SensorReplay::publish(const recording::Frame& frame, std::uint64_t pass) {
+  if (std::exchange(pass_, pass) != pass) {
+    epoch_shift_ = last_epoch_ + 1 - frame.header().epoch;  // modulo 2^32, as epochs are
+  }
+  const bool published = std::visit([this](const auto& f) { return publish(f); }, frame.content);
+  if (published) last_epoch_ = frame.header().epoch + epoch_shift_;
+  return published;
+}
+
+bool SensorReplay::publish(const recording::Cloud& cloud) {
+  std::optional<Loan<DepthCloud>> loan = clouds_->loan();
+  if (!loan) return false;
+  DepthCloud& message = **loan;
+  fill(message, cloud);
+  set_epoch(message.header);
+  const std::int64_t time_ns = monotonic_now_ns();
+  message.header.arrival_time_ns = time_ns;
+  message.header.publication_time_ns = time_ns;
+  KeptFrame copy;
+  if (flow_) copy = {message.header, cloud.xyz};
+  const Published entry{message.header.epoch, message.header.frame_id, time_ns};
+  const bool zero_copy = clouds_->zero_copy();
+  if (!clouds_->publish(std::move(*loan))) return false;
+  if (flow_) flow_->published(std::move(copy), Clock::now());
+  published_.push_back(entry);
+  if (published_.size() > remembered_clouds) published_.pop_front();
+  ++report_.frames_out;
+  if (zero_copy) ++report_.frames_zero_copy;
+  return true;
+}
+
+bool SensorReplay::publish(const recording::Labels& labels) {
+  std::optional<Loan<LabelMap>> loan = labels_->loan();
+  if (!loan) return false;
+  LabelMap& message = **loan;
+  fill(message, labels);
+  set_epoch(message.header);
+  message.header.arrival_time_ns = cloud_time_ns(labels.header);
+  message.cloud_publication_time_ns = message.header.arrival_time_ns;
+  message.header.publication_time_ns = monotonic_now_ns();
+  return labels_->publish(std::move(*loan));
+}
+
+bool SensorReplay::publish(const recording::SegmentList& list) {
+  SegmentListMessage buffer(list);
+  SegmentList& message = buffer.message();
+  set_epoch(message.header);
+  message.header.arrival_time_ns = cloud_time_ns(list.header);
+  message.cloud_publication_time_ns = message.header.arrival_time_ns;
+  message.cloud_reception_time_ns = message.header.arrival_time_ns;
+  message.header.publication_time_ns = monotonic_now_ns();
+  return lists_->publish(message);
+}
+
+// When its cloud was replayed; now, if it was not.
+std::int64_t SensorReplay::cloud_time_ns(const recording::FrameHeader& header) const {
+  const auto found = std::ranges::find_if(published_, [&](const Published& p) {
+    return p.epoch == header.epoch + epoch_shift_ && p.frame_id == header.frame_id;
+  });
+  return found == published_.end() ? monotonic_now_ns() : found->time_ns;
+}
+
+}  // namespace cleave::client

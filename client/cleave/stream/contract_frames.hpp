@@ -1,0 +1,38 @@
+// Frames between the stream's types and a recording's.
+#pragma once
+
+#include <vector>
+
+#include "libcleave/types.hpp"
+#include "recording/frames/frame.hpp"
+
+namespace cleave::client {
+
+// From what came over the stream. Throw recording::DataError for a frame of a size that cannot be:
+// 0 points, or more than the contract's capacity.
+[[nodiscard]] recording::FrameHeader frame_of(const FrameHeader& header);
+[[nodiscard]] recording::Cloud frame_of(const DepthCloud& cloud);
+[[nodiscard]] recording::Labels frame_of(const LabelMap& labels);
+[[nodiscard]] recording::SegmentList frame_of(const SegmentList& list);
+
+// Into memory that is to be published. The header's names and sizes have been checked.
+void fill(FrameHeader& message, const recording::FrameHeader& header);
+void fill(DepthCloud& message, const recording::Cloud& cloud);
+void fill(LabelMap& message, const recording::Labels& labels);
+
+// A SegmentList and the memory of its sequences.
+class SegmentListMessage {
+ public:
+  explicit SegmentListMessage(const recording::SegmentList& list);
+  SegmentListMessage(const SegmentListMessage&) = delete;
+  SegmentListMessage& operator=(const SegmentListMessage&) = delete;
+  // Its sequences are this object's.
+  [[nodiscard]] SegmentList& message() { return message_; }
+
+ private:
+  std::vector<SegmentMessage> segments_;
+  std::vector<BorderMessage> borders_;
+  SegmentList message_{};
+};
+
+}  // namespace cleave::client

@@ -1,0 +1,102 @@
+#include "libcleave/internal/raw_reader.hpp"
+
+#include <dds/ddsi/ddsi_serdata.h>
+#include <spdlog/spdlog.h>
+
+#include "libcleave/internal/dds.hpp"
+
+namespace cleave {
+namespace {
+
+void on_matched(dds_entity_t /*reader*/, const dds_subscription_matched_status_t status,
+                void* topic) {
+  const std::string& name = static_cast<const Topic*>(topic)->name;
+  spdlog::debug("{}: a writer {}, {} now", name,
+                status.current_count_change > 0 ? "joined" : "left", status.current_count);
+}
+
+void on_incompatible(dds_entity_t /*reader*/, const dds_requested_incompatible_qos_status_t status,
+                     void* topic) {
+  spdlog::warn("{}: a writer cannot be heard: its {} policy does not match what this reader needs",
+               static_cast<const Topic*>(topic)->name, dds::policy_name(status.last_policy_id));
+}
+
+ddsi_serdata* serdata_of(void* opaque) {
+  return static_cast<ddsi_serdata*>(opaque);
+}
+
+}  // namespace
+
+RawSample& RawSample::operator=(RawSample&& other) noexcept {
+  std::swap(serdata_, other.serdata_);
+  std::swap(data_, other.data_);
+  std::swap(owned_, other.owned_);
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+void RawSample::release() noexcept {
+  if (owned_ != nullptr) dds_sample_free(owned_, descriptor_, DDS_FREE_ALL);
+  if (serdata_ != nullptr) ddsi_serdata_unref(serdata_of(serdata_));
+}
+
+struct RawReader::State {
+  explicit State(const Topic& t) : topic(t) {}
+  Topic topic;
+  dds::Entity dds_topic, reader;
+};
+
+RawReader::RawReader(Stream& stream, const Topic& topic, ReaderDepth depth)
+    : state_(std::make_unique<State>(topic)) {
+  State& s = *state_;
+  const dds_entity_t participant = dds::participant_of(stream, topic);
+  s.dds_topic = dds::create_topic(participant, topic);
+  const dds::Listener listener(dds_create_listener(&s.topic));
+  dds_lset_subscription_matched(listener.get(), on_matched);
+  dds_lset_requested_incompatible_qos(listener.get(), on_incompatible);
+  s.reader = {dds_create_reader(participant, s.dds_topic.get(),
+                                dds::qos_of(topic, depth.samples).get(), listener.get()),
+              "cannot create a reader of " + topic.name};
+}
+
+RawReader::~RawReader() = default;
+
+// dds_take would copy even out of shared memory; dds_takecdr hands over the received sample, whose
+// iox_chunk (semi-internal in Cyclone 0.10) is the writer's own memory.
+std::optional<RawSample> RawReader::take() {
+  const dds_topic_descriptor_t* const descriptor = state_->topic.descriptor;
+  for (;;) {
+    ddsi_serdata* serdata = nullptr;
+    dds_sample_info_t info;
+    if (dds_takecdr(state_->reader.get(), &serdata, 1, &info, DDS_ANY_STATE) <= 0) {
+      return std::nullopt;
+    }
+    if (!info.valid_data) {  // an instance that ended, not a sample
+      ddsi_serdata_unref(serdata);
+      continue;
+    }
+    if (serdata->iox_chunk != nullptr) {
+      return RawSample(serdata, serdata->iox_chunk, nullptr, descriptor);
+    }
+    void* const copy = dds_alloc(descriptor->m_size);  // zeroed, as deserialisation needs it
+    const bool complete = ddsi_serdata_to_sample(serdata, copy, nullptr, nullptr);
+    ddsi_serdata_unref(serdata);
+    if (complete) return RawSample(nullptr, copy, copy, descriptor);
+    dds_sample_free(copy, descriptor, DDS_FREE_ALL);
+    spdlog::error("{}: a sample could not be deserialised and was dropped", state_->topic.name);
+  }
+}
+
+// By liveliness, not by matching: a killed process stays matched for its participant's lease of 10
+// s.
+unsigned RawReader::live_writers() const {
+  dds_liveliness_changed_status_t status;
+  const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;
+  return known ? status.alive_count : 0;
+}
+
+std::int32_t RawReader::entity() const {
+  return state_->reader.get();
+}
+
+}  // namespace cleave

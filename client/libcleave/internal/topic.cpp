@@ -1,0 +1,25 @@
+#include "libcleave/internal/topic.hpp"
+
+namespace cleave {
+
+template <>
+Topic topic_of<DepthCloud>(std::string_view sensor) {
+  return {cloud_topic(sensor), &cleave_v1_DepthCloud_desc, Domain::bulk, 2, false};
+}
+
+template <>
+Topic topic_of<LabelMap>(std::string_view sensor) {
+  return {labels_topic(sensor), &cleave_v1_LabelMap_desc, Domain::bulk, 2, false};
+}
+
+template <>
+Topic topic_of<SegmentList>(std::string_view sensor) {
+  return {segments_topic(sensor), &cleave_v1_SegmentList_desc, Domain::open, 4, false};
+}
+
+template <>
+Topic topic_of<NodeStatus>(std::string_view /*sensor*/) {
+  return {std::string(status_topic), &cleave_v1_NodeStatus_desc, Domain::open, 1, true};
+}
+
+}  // namespace cleave

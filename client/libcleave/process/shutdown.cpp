@@ -1,0 +1,76 @@
+#include "libcleave/process/shutdown.hpp"
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace cleave {
+namespace {
+
+sigset_t shutdown_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGUSR1);  // the destructor's way to end the thread
+  return signals;
+}
+
+}  // namespace
+
+Shutdown::Shutdown() {
+  const sigset_t signals = shutdown_signals();
+  if (const int code = pthread_sigmask(SIG_BLOCK, &signals, nullptr); code != 0) {
+    throw std::runtime_error(std::string("cannot block signals: ") + std::strerror(code));
+  }
+  thread_ = std::thread([this] { watch(); });
+}
+
+Shutdown::~Shutdown() {
+  quit_ = true;
+  pthread_kill(thread_.native_handle(), SIGUSR1);
+  thread_.join();
+}
+
+void Shutdown::watch() {
+  const sigset_t signals = shutdown_signals();
+  while (!quit_) {
+    const int signal = sigwaitinfo(&signals, nullptr);
+    if (signal != SIGINT && signal != SIGTERM) continue;
+    if (requested_) _exit(130);  // asked twice: do not wait for the drain
+    request();
+  }
+}
+
+void Shutdown::request() {
+  std::function<void()> action;
+  {
+    const std::lock_guard lock(mutex_);
+    if (requested_.exchange(true)) return;
+    action = action_;
+  }
+  changed_.notify_all();
+  if (action) action();
+}
+
+bool Shutdown::wait_for(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, timeout, [this] { return requested_.load(); });
+}
+
+void Shutdown::on_request(std::function<void()> action) {
+  {
+    const std::lock_guard lock(mutex_);
+    action_ = std::move(action);
+    if (!requested_) return;
+    action = action_;
+  }
+  if (action) action();
+}
+
+}  // namespace cleave

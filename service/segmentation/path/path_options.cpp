@@ -1,0 +1,13 @@
+#include "segmentation/path/path_options.hpp"
+
+#include "segmentation/spacing/spacing_options.hpp"
+
+namespace cleave::segmentation {
+
+Options options_on(const SupervoxelPath& path, const Options& options) {
+  Options result = options_for_spacing(options, path.spacing());
+  if (!path.seen_from_one_viewpoint()) result.graph.max_step_m = 0;
+  return result;
+}
+
+}  // namespace cleave::segmentation

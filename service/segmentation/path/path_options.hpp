@@ -1,0 +1,14 @@
+// What a frame makes of the options.
+#pragma once
+
+#include "segmentation/options.hpp"
+#include "segmentation/path/supervoxel_path.hpp"
+
+namespace cleave::segmentation {
+
+// Scaled to the spacing of the path's points (options_for_spacing); and without max_step_m where
+// the points have no common viewpoint: what a step in depth means is known for a sensor in the
+// origin.
+[[nodiscard]] Options options_on(const SupervoxelPath& path, const Options& options);
+
+}  // namespace cleave::segmentation

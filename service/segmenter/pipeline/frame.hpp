@@ -1,0 +1,43 @@
+// A frame on its way through the pipeline: before and after a worker had it.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "libcleave/types.hpp"
+#include "segmentation/segmentation.hpp"
+#include "segmenter/pipeline/causes.hpp"
+#include "segmenter/pipeline/frame_ledger.hpp"
+#include "segmenter/pipeline/frame_queue.hpp"
+#include "segmenter/pipeline/result_sink.hpp"
+
+namespace cleave::service {
+
+// Ids as the header's private copy has them.
+inline FrameKey key_of(const FrameHeader& header) {
+  return {header.epoch, header.frame_id};
+}
+
+// Checked, and waiting for a worker. Owns the sample, which may be the writer's own memory: of that
+// only the points are read, the header is a private copy.
+struct Frame {
+  std::uint64_t ticket = 0;
+  FrameHeader header{};
+  std::shared_ptr<const DepthCloud> cloud;
+  std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
+};
+
+// Waiting for the frames before it to be published.
+struct FinishedFrame {
+  FrameHeader header{};
+  std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
+  std::optional<RejectCause> rejected;
+  FrameQueue<Frame>::Place place;     // lets the next frame in when this one, and its loan, is gone
+  std::unique_ptr<LabelLoan> labels;  // empty for a rejected frame
+  segmentation::Segmentation segmentation;
+  float queue_ms = 0;
+  float segmentation_ms = 0;
+};
+
+}  // namespace cleave::service

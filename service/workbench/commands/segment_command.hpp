@@ -1,0 +1,10 @@
+// `cleave segment`: one cloud, offline.
+#pragma once
+
+#include "console/command.hpp"
+
+namespace cleave::workbench {
+
+void add_segment_command(CLI::App& app, Action& action);
+
+}  // namespace cleave::workbench
