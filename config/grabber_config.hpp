@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What cleave-grabber can be told. The file as shipped is grabber.yaml; it holds these defaults.
 #pragma once
 

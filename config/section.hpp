@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Strict YAML: every key is asked for once, with its range; what nobody asked for is an error.
 #pragma once
 

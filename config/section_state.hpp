@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a Section is behind its header: a YAML mapping and what has been asked of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What cleave-segmenter can be told, but for the segmentation itself, whose options belong to
 // service/segmentation. The file as shipped is segmenter.yaml; it holds these defaults.
 #pragma once

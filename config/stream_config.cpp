@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "config/stream_config.hpp"
 
 #include "idl/topics.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The section `stream` that every node's file has: which domain, over what.
 #pragma once
 

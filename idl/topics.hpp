@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Names of the contract and its topics, and the rule for the one part of them that a user chooses.
 #pragma once
 

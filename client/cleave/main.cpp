@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The program `cleave`.
 #include "cleave/commands/command_line.hpp"
 #include "console/program.hpp"

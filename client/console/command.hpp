@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all subcommands share: each adds itself to the command line, and leaves behind what is to be
 // run once that has been understood.
 #pragma once

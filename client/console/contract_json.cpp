@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/contract_json.hpp"
 
 namespace cleave {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contract's types as JSON, with the keys of the IDL.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // JSON on stdout: one object a line, keys in the order in which they were set.
 #pragma once
 

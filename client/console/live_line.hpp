@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One line that is kept up to date: rewritten in place on a terminal, printed anew elsewhere.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Many measured values in a few: percentiles, mean and extremes.
 #pragma once
 

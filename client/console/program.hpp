@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The main function of a program whose commands are CLI11's subcommands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far a long job is, for someone who watches a terminal; silent everywhere else.
 #pragma once
 

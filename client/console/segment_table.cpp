@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/segment_table.hpp"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Does someone look at this output, and how wide is their window?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // --unit, of commands that read points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A planner's first client: prints the largest object of every frame. Needs no shared memory, no
 // camera and no PCL: segment lists come over the public domain.
 //

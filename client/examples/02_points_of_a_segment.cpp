@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points and labels together, in place: finds the highest point (smallest y) of every segment
 // without copying a cloud. The joiner pairs each cloud with its label map, both in shared memory.
 //

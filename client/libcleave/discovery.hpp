@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Who publishes and reads what on this machine: DDS's own built-in topics.
 #pragma once
 

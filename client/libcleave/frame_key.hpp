@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What tells one frame from all others of its sensor.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pairs every cloud with the label map of the same epoch and frame id, both still where the
 // transport put them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lossless mode at work: segment lists come in, frames are kept until theirs has.
 #pragma once
 

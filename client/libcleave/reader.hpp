@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Typed readers. A sample that came over shared memory is handed out in place: it is never copied.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Is iceoryx's RouDi there, is it still the one that this process joined?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A node's status in C++ terms, its publication and its way back from the wire.
 #pragma once
 

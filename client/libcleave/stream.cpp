@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/stream.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A process's membership of the stream: one bulk domain (shared memory) and one public (RTPS).
 #pragma once
 

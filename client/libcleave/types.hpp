@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contract's types under C++ names, and what each needs to travel: domain and quality of
 // service.
 #pragma once

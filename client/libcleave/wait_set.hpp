@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sleeping until a reader has samples, or until another thread says that it is time to stop.
 #pragma once
 

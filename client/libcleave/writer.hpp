@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Typed writers. Bulk types are loaned, filled in place and published without a copy.
 #pragma once
 

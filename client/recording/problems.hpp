@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with a file: all of it is counted, and the first of it is kept as text.
 #pragma once
 

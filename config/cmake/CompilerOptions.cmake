@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # One place for how every target of ours is compiled.
 set(CLEAVE_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined or thread")
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Every dependency is a Debian 12 package; a missing one is named with the command that installs it.
 
 # cleave_find(<CMake package> <Debian package> [extra find_package arguments...])

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Debian's OpenNI2 looks for drivers in OpenNI2/Drivers beside the place it was loaded from, and
 # nowhere else. openni2/ in the build tree is such a place: the system's library and camera drivers
 # by symbolic link, and our synthetic camera.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The synthetic camera: a device with one depth sensor.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The plug-in's entry: which devices there are. Every `synthetic:SCENE` is one, once asked for.
 #include <algorithm>
 #include <condition_variable>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What goes wrong with one synthetic camera, and when.
 #pragma once
 

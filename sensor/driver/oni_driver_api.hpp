@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OpenNI2's driver interface, without the XnLib that its macros expect.
 #pragma once
 

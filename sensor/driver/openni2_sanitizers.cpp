@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the sanitizers are not to report, in every program of ours that links OpenNI2:
 // - OpenNI2 and the drivers that it loads leak about 100 KB for each initialisation. They are
 //   unloaded when leaks are looked for, so only stacks that reach down to libOpenNI2 tell whose

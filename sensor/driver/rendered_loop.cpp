@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/driver/rendered_loop.hpp"
 
 #include <sys/resource.h>

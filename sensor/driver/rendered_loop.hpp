@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Renders the synthetic camera's loop of frames in the background, while frames are delivered.
 #pragma once
 

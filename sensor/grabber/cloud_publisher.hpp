@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames of a source become clouds on the stream.
 #pragma once
 

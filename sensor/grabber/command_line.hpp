@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What cleave-grabber is told by its command line and its configuration file together.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/grabber/frame_book.hpp"
 
 namespace cleave::sensor {

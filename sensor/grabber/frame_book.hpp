@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What became of every frame of the source, and what the next one is called.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The grabber: takes frames from a source, publishes them as clouds, and tells what became of each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cleave-grabber: a depth camera, or recordings, to cleave/<sensor>/cloud.
 #include <spdlog/spdlog.h>
 

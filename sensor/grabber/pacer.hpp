@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pace of sources that have none of their own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A source that comes and goes: lost, opened again, and told of.
 #pragma once
 

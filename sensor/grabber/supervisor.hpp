@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the grabber tells about itself, and what it sees of RouDi.
 #pragma once
 

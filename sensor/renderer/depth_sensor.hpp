@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a structured-light camera makes of the hits of its rays: noise, quantisation, missing
 // pixels.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/renderer/labelled_depth.hpp"
 
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rendered frame as a camera driver would hand it out, with the truth beside it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/renderer/labelled_pcd.hpp"
 
 #include "recording/pcd/writer.hpp"

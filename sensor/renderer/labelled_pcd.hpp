@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rendered frame as a PCD file.
 #pragma once
 

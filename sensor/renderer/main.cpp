@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cleave-render: rendered scenes as labelled PCD files.
 #include <unistd.h>
 

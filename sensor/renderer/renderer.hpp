@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rendered table-top scenes that behave like a real structured-light camera's, with true labels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When was a frame captured, by the clock on the wall? Devices stamp frames by clocks of their own
 // that drift; their frames arrive late by a varying time.
 #pragma once

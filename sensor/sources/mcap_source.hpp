@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The clouds of a recording, as if a camera had sent them again.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/sources/oni_source.hpp"
 
 #include <spdlog/spdlog.h>

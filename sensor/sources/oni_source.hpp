@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording by OpenNI (.oni), as if its camera were there.
 #pragma once
 

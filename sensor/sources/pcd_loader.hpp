@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads point clouds one ahead, on a thread of its own, so that decoding does not delay the pace.
 #pragma once
 

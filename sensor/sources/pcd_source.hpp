@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Point clouds from PCD files, as if a camera had sent them.
 #pragma once
 

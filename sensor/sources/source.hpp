@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where frames come from: a camera, or files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the segmentation's types to those that mirror the contract, whatever carries them: the
 // stream's C structs or a recording's.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The input of everything here: someone else's points, looked at in place.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How many eigenvectors a scene needs: the experiment of section 5.3.2 and Figure 5.10.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Refuses options that are out of their range.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every option by name, with its range and meaning: what files, command lines and the Segmenter's
 // own checks are made of, so that none of them lists options itself.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All that can be chosen, one struct a step. The defaults are ours; thesis() names the thesis's.
 #pragma once
 

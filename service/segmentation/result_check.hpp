@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether a result is one that anybody can have wanted.
 #pragma once
 

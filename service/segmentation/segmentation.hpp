@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The output: a label a point, and what is known of every segment, in the frame of the cloud and
 // relative to its origin_m.
 #pragma once

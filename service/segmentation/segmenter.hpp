@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cloud in, labels and segments out: Spectral Supervoxel Clustering (S. Alexandrov, "Geometrical
 // Segmentation of Point Clouds using Spectral Clustering", 2014, Algorithms 1 and 2, section 4.1).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The segmenter as a node of the stream: one pipeline a sensor, their status, and RouDi's health.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/dds_sink.hpp"
 
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cleave-segmenter: clouds in, label maps and segment lists out.
 #include <spdlog/spdlog.h>
 

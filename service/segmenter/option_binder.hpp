@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Binds the options of the segmentation to the YAML section of the same name.
 #pragma once
 

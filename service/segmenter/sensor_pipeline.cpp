@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/sensor_pipeline.hpp"
 
 #include <spdlog/spdlog.h>

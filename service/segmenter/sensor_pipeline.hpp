@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One sensor in the daemon: its cloud reader, the pipeline, its result writers, and what the status
 // says of them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the configuration file, the arguments and the environment to what the daemon needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether someone publishes clouds for a sensor, in terms of the node's state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Segmenters that have their memory and their code pages already.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The program `cleave-workbench`: those commands of `cleave` that segment and judge.
 #include "console/program.hpp"
 #include "workbench/commands/command_line.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What each stage of the segmentation costs, and the whole, on a rendered scene of 1/4 to 4 times
 // the usual points.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A long run: memory and labels of so many frames, with real processes and a RouDi of its own.
 // Usage: benchmark_soak [FRAMES], default 10000. Exit code 1 unless memory is flat within 2 MB
 // after the first 500 frames and every repeated frame has the labels that it had at first.

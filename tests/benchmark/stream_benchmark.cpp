@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the stream behaves as rate, workers, queue and cameras grow: real processes, a RouDi of its
 // own, a table. See --help.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/benchmark/stream_run.hpp"
 
 #include <unistd.h>

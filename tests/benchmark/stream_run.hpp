@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One run of the whole stream with real processes, measured from outside as a user would.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the two programs that benchmark_transport compares have in common: how a run goes and what a
 // reader says of it. A cloud's latency is from just before its publication to its reader's hands.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same with Cyclone DDS alone: a loan, dds_takecdr, and nothing else. See transport.hpp.
 #include <dds/dds.h>
 #include <dds/ddsc/dds_loan_api.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publication to a reader's hands for a full cloud (3.7 MB): libcleave beside bare Cyclone DDS, in
 // one run, in turns, so that the machine's load meets both alike. Real processes and a RouDi of its
 // own. Usage: benchmark_transport [READERS...], default 1

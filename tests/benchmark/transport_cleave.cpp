@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A writer and a reader of clouds as a client of libcleave writes them. See transport.hpp.
 #include "libcleave/reader.hpp"
 #include "libcleave/wait_set.hpp"

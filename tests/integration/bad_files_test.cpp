@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bad input in `pcd:DIR` and `oni:FILE`, bad configurations and names: clear errors, exit codes,
 // nothing lost.
 #include <gtest/gtest.h>

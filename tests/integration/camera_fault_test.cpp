@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A camera that fails in every way that cameras fail in, with the real processes and RouDi: the
 // stream comes back by itself, and what became of every frame is told.
 #include <gtest/gtest.h>

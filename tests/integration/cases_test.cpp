@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The inputs of data/cases, each of which went wrong once: what its NOTE.txt says should happen,
 // with the programs that a stranger would use.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `service/demo` as its user starts it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Processes that come, go and die, on the network path.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clouds from a writer that is not our grabber: whatever it sends, the segmenter says what is
 // wrong, counts it, and goes on.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Must show: what comes over DDS is, bit for bit, what `cleave segment` writes for the same files.
 #include <gtest/gtest.h>
 #include <pcl/io/pcd_io.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Each reason for which there is no shared memory is named, and segments flow all the same.
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recordings with the real processes: what is replayed equals what was recorded.
 #include <gtest/gtest.h>
 

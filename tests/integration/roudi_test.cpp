@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // RouDi absent, gone and back: said aloud, and segments flow.
 #include <gtest/gtest.h>
 

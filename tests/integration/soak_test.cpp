@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A short version of benchmark_soak, which runs 10,000 frames.
 #include "tests/integration/support/soak.hpp"
 

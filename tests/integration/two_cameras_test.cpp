@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Several cameras, one daemon.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clouds go from process to process without a copy; without RouDi they go all the same. Each half
 // counts its own large copies, and the test itself joins nothing: RouDi ends whoever joined it.
 #include <gtest/gtest.h>

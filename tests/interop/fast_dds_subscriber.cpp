@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A subscriber of another vendor's: prints a line for every segment list that it receives.
 // Usage: fast_dds_subscriber DOMAIN SENSOR COUNT   (exit 0 after COUNT lists, 1 after 60 s without)
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>

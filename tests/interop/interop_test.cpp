@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Another vendor's DDS reads our segment lists from the same contract.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // MCAP's own reader, and Foxglove's own decoders, on our recordings.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/interop/npm_packages.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rendered scene in a bag of ROS 2 that MCAP's own writer and Foxglove's own serialisation made:
 // as PointCloud2, as 16UC1 and as 32FC1 it has the same segments.
 #include <gtest/gtest.h>

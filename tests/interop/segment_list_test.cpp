@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The segment lists of recordings are what DDS puts on the wire: Fast CDR reads them by the
 // contract.
 #include <gtest/gtest.h>

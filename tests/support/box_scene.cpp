@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/box_scene.hpp"
 
 #include <Eigen/Geometry>

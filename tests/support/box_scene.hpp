@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A scene without noise whose true segments are known: a table and two boxes that touch.
 #pragma once
 

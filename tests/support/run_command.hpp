@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A subcommand as a user calls it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave convert`: recordings from one format to another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave echo`: segment lists as text or JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave hz`: rate and latency of the segment lists.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave list`: which topics exist, and who writes and reads them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave record`: the live stream into a file.
 #pragma once
 

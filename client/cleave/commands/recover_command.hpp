@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave recover`: what is left of a damaged recording.
 #pragma once
 

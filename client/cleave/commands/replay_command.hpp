@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave replay`: a recording onto the stream.
 #pragma once
 

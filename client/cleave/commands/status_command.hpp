@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave status`: what the nodes say of themselves.
 #pragma once
 

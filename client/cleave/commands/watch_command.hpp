@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave watch`: every frame of a sensor until the stream ends, and a summary.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/commands/workbench_commands.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The commands that segment and judge. They are a program of their own, cleave-workbench, so that a
 // robot that only looks at its stream needs neither the segmentation nor PCL; people call them as
 // `cleave COMMAND` all the same.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames on their way to the disk: a bounded queue and the thread that empties it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/record/record_session.hpp"
 
 #include <spdlog/spdlog.h>

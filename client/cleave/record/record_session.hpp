@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A sensor's topics into a recording, until there is a reason to stop.
 #pragma once
 

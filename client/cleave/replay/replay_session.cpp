@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/replay/replay_session.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording back onto the stream, from its first frame to its last.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/replay/sensor_replay.hpp"
 
 #include <unistd.h>

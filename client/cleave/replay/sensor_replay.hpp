@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One sensor's recorded frames back onto its topics.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/stream/contract_frames.hpp"
 
 #include <algorithm>

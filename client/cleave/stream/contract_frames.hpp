@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames between the stream's types and a recording's.
 #pragma once
 

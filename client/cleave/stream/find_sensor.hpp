@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which sensor is meant when nobody says so.
 #pragma once
 

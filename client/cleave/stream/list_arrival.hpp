@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A segment list as it came into the hands of this client.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/stream/segment_message.hpp"
 
 #include <spdlog/fmt/fmt.h>

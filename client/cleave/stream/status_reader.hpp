@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The statuses of all nodes of a domain.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/stream/topic_names.hpp"
 
 #include "cleave/record/background_writer.hpp"

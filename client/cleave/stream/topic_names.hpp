@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The topics of a sensor that recordings hold, as people name them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much of one core a node uses while frames flow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What became of every frame that a sensor's grabber published, from the statuses of the two nodes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/watch/stream_summary.hpp"
 
 #include <numeric>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Figures of a stream of segment lists, as they come in: rate, latency, gaps, segments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When `cleave watch` has seen enough, and why.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What `cleave watch` says: a line a frame, and a summary at the end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/watch/watch_session.hpp"
 
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/depth_image.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A labelled cloud as an image: one depth and one label a pixel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What people see of a labelled cloud: depth as grey, segments as colours over it.
 #pragma once
 

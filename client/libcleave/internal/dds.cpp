@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/internal/dds.hpp"
 
 #include <array>

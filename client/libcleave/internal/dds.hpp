@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What libcleave's own files share of the DDS C API: owned handles, and errors with a reason.
 #pragma once
 

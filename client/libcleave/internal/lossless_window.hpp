@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which frames are on their way in lossless mode. Shared memory has no back pressure, so the
 // grabber keeps a window of frames in flight and publishes the next one when segment lists come
 // back.

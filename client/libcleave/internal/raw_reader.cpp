@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/internal/raw_reader.hpp"
 
 #include <dds/ddsi/ddsi_serdata.h>

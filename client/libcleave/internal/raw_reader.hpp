@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all typed readers share. The one place that knows where Cyclone keeps a shared-memory chunk.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/internal/raw_writer.hpp"
 
 #include <dds/ddsc/dds_loan_api.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all typed writers share: a DDS writer, its loans and its events in the log.
 #pragma once
 

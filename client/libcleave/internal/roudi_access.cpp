@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/internal/roudi_access.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why there is no shared memory: what keeps this process from RouDi, and what to do about it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which topic, domain and quality of service a type of the contract has. The table of the design.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/process/logging.hpp"
 
 #include <spdlog/sinks/stdout_color_sinks.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Logs go to stderr through spdlog; data goes to stdout.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/process/restart.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One grabber a sensor and domain on a machine.
 #pragma once
 

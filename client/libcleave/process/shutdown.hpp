@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SIGTERM and SIGINT as a request that threads can wait for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // CDR as ROS 2 and DDS write it (XCDR1): numbers are aligned to their own size. We write it in
 // little endian, and read either.
 #pragma once

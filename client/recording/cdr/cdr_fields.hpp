@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fields of a contract's type (idl/fields.hpp) to CDR and back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/cloud/decimal_digits.hpp"
 
 #include <array>

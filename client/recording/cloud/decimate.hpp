@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fewer points of an image: one for each block of pixels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/cloud/depth_codec.hpp"
 
 #include <algorithm>

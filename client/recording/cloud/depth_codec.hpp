@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A cloud as a depth image, wherever that gives the points back.
 #pragma once
 

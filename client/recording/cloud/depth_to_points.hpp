@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Depth becomes points as the grabber publishes them, and as whoever reads its input later must.
 #pragma once
 

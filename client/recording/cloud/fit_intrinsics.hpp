@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The camera that an organised cloud was made with.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From depth in millimetres to points: the ways in which sensors and tools compute it, to the bit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cleave::recording::Cloud: what a recording says of a cloud beyond Image and CameraInfo.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/contract_check.hpp"
 
 #include <cctype>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Do the bytes of a recording mean what this version of Cleave takes them for?
 #pragma once
 

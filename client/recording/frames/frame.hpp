@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What recordings hold, free of any transport: the contract's types in plain C++, with the members
 // that idl/fields.hpp visits.
 #pragma once

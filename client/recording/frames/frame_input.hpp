@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames one after the other, whoever recorded them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames into a recording: which topics, in which messages.
 #pragma once
 

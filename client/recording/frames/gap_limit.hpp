@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recordings whose clock jumps: how long to wait between two frames.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/header_message.hpp"
 
 #include "idl/fields.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/label_messages.hpp"
 
 #include "recording/frames/header_message.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // cleave::recording::Labels: what a recording says of a label map beyond its Image.
 #pragma once
 

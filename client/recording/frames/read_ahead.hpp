@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames decoded ahead of need, on a thread of their own: decoding must not delay the pace.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/ros_messages.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The messages of ROS 2 that viewers know, as CDR.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/scene_update.hpp"
 
 #include <cmath>

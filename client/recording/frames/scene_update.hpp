@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Segments as foxglove::SceneUpdate: boxes in the colours of their labels, for 3D views.
 #pragma once
 

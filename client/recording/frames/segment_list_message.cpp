@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/segment_list_message.hpp"
 
 #include "idl/fields.hpp"

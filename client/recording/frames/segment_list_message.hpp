@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contract's SegmentList as CDR: the bytes that DDS puts on the wire.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Little-endian numbers in and out of byte buffers.
 #pragma once
 

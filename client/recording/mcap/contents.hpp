@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a file holds and where, found by going through its records from the first to the last.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Behind damage: where does the next record begin?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The MCAP container, version 0 (mcap.dev/spec): the records that this library reads and writes.
 #pragma once
 

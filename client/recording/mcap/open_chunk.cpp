@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/mcap/open_chunk.hpp"
 
 #include "recording/mcap/chunk.hpp"

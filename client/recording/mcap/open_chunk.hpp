@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A chunk, or a run of messages outside of chunks, with its messages found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads MCAP message by message, whatever of the format its recorder used, and as far as it is
 // intact.
 #pragma once

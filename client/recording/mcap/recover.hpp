@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is left of a damaged file, as a whole one.
 #pragma once
 

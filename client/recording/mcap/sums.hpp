@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What only a look at all bytes of a file tells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes MCAP: zstd chunks with their CRCs and message indexes, attachments and metadata, and at
 // the end a summary with schemas, channels, statistics and the indexes of all these.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The end of a file: what lets a reader find everything without reading it all.
 #include <algorithm>
 #include <array>

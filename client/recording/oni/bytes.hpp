@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Little-endian values out of bytes that nobody vouches for.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The camera of an OpenNI recording: from its frames to points.
 #pragma once
 

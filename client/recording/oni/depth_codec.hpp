@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The three ways in which .oni files hold a depth image.
 #pragma once
 

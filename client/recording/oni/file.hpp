@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A file that is read at any place, and never past its end.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Depth frames out of OpenNI's recordings (.oni), without OpenNI.
 #pragma once
 

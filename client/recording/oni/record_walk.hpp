@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The records of an .oni file, one after the other, around those that are damaged.
 #pragma once
 

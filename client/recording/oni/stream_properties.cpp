@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/oni/stream_properties.hpp"
 
 #include <cmath>

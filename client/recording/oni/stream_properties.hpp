@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What an .oni file says of its depth stream, apart from the frames.
 #pragma once
 

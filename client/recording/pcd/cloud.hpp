@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A PCD file in memory, with all of its fields, whatever they are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the fields x, y and z, of whatever type, to floats.
 #pragma once
 

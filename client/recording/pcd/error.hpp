@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why a PCD file cannot be used.
 #pragma once
 

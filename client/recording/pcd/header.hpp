@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a PCD file says about itself, checked for sense.
 #pragma once
 

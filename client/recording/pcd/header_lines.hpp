@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The header of a PCD file as text: which lines there are, not yet what they mean.
 #pragma once
 

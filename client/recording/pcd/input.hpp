@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A PCD file while it is read: lines first, and then, perhaps, bytes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The order that people expect of numbered files: scene2 before scene10.
 #pragma once
 

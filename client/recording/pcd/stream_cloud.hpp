@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A PCD file as a sensor would have sent it.
 #pragma once
 

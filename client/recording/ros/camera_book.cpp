@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/ros/camera_book.hpp"
 
 #include <utility>

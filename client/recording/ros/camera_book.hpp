@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which CameraInfo an image belongs to.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The clouds of one topic that another recorder wrote.
 #pragma once
 

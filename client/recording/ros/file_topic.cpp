@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/ros/file_topic.hpp"
 
 namespace cleave::recording {

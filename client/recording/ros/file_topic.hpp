@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording and, perhaps, which of its topics is meant: bag.mcap?topic=/camera/depth/points
 #pragma once
 

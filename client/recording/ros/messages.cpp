@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/ros/messages.hpp"
 
 #include "recording/time_units.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The messages of ROS that hold clouds, depth and cameras, as their fields.
 #pragma once
 

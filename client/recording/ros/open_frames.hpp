@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording's frames, whoever recorded it: the one way in for all who need no more than clouds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/ros/point_cloud.hpp"
 
 #include <algorithm>

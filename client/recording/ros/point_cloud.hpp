@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From PointCloud2 to points.
 #pragma once
 

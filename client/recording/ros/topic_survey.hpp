@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which topics of a recording can be clouds, and why the others cannot.
 #pragma once
 

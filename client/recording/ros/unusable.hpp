@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why a message gives no cloud, although its bytes are in order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The schemas that recordings carry, as text.
 #pragma once
 

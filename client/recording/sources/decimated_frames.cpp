@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Another source's images with fewer points.
 #include <utility>
 

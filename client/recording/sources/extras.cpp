@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/sources/extras.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/sources/frame_sink.hpp"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where `cleave convert` puts frames.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/sources/frame_source.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where `cleave convert` takes frames from. A new kind of input is one more file here, and a line
 // in open_frame_source().
 #pragma once

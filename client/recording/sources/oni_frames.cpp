@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recordings by OpenNI (.oni) as frames of a sensor, with the points that the grabber publishes
 // when it plays them.
 #include <spdlog/spdlog.h>

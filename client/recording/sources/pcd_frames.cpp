@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCD files as frames of a sensor.
 #include <spdlog/spdlog.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far apart points of a plane are, and how alike those distances.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Millimetres are told from metres, so that nobody segments a table of a kilometre.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/units/unit.hpp"
 
 #include <algorithm>

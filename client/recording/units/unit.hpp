@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lengths that files are in. Everything inside is in metres: who reads a file scales.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The things that stand on the table, and the space they take.
 #pragma once
 

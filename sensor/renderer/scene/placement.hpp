@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Puts objects on the table: free, touching another, or on top of one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Convex polygons on the table: what the placement of objects needs.
 #pragma once
 

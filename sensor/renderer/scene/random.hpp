@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Random numbers that are the same on every platform, which the standard's distributions are not.
 #pragma once
 

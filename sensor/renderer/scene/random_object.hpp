@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Objects of the sizes and shares of the real table-top scenes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stands on the table, by seed. Table frame: z up, origin below the camera; metres, radians.
 #pragma once
 

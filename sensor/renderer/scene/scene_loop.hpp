@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The frames of a synthetic camera, which it plays in a loop.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/renderer/scene/scene_uri.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The SCENE in a source's name `synthetic:SCENE`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The camera: how it projects, and where it stands.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An object as a camera sees it: the rectangle of pixels that it can touch, and rays in its frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/renderer/view/ray_cast.hpp"
 
 #include <cmath>

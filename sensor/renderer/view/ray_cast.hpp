@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the rays of a perfect camera hit: everything about an image that does not depend on noise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A structured-light camera measures only what its projector lights and its infrared camera sees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The true labels of an image: which pixels belong together as far as a camera can see.
 #pragma once
 

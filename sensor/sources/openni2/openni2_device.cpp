@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/sources/openni2/openni2_device.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which of OpenNI2's devices is meant, and its opening.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // OpenNI2 as a library: its one initialisation, and its errors in words that help.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The depth mode of an OpenNI2 stream.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A depth camera through OpenNI2, or the synthetic one that is an OpenNI2 driver of ours.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which supervoxels of cells touch (section 4.1.2.1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Over-segmentation of cells into supervoxels (section 4.1.1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clusters fall apart where cells of one owner are not linked; this makes supervoxels of the parts.
 #pragma once
 

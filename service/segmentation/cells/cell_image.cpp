@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/cells/cell_image.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An organised cloud in cells of a few pixels: what the fast path has instead of voxels.
 #pragma once
 

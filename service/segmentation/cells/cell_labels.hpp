@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From segments of supervoxels to segments of pixels, with borders finer than a cell.
 #pragma once
 

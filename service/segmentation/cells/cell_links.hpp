@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which neighbouring cells lie on one surface.
 #pragma once
 

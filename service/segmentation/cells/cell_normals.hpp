@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Normals of cells, by regression in the space in which the sensor measures.
 #pragma once
 

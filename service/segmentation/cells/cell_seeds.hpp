@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where supervoxels start, on cells (Papon et al., CVPR 2013); see supervoxel_seeds.hpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The plane of every supervoxel, from sums over its cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a cut in two cannot see: whether a border as a whole gives a reason to part its segments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/clean_up/canonical_labels.hpp"
 
 #include <algorithm>

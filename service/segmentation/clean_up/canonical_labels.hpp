@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Labels that depend on the segments alone, not on how they were found.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Slivers that no one would call a segment join a neighbour.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/clean_up/dust_settler.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // No segment that is published is dust: what the refinement of borders left too small joins a
 // neighbour, and what touches nothing is no segment.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/clean_up/segment_cleaner.hpp"
 
 namespace cleave::segmentation {

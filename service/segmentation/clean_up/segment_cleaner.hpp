@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What follows a partition, whoever made the supervoxels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/describe/oriented_box.hpp"
 
 #include <algorithm>

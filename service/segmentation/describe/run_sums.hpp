@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What runs of points add up to, several points at a time in a fixed order.
 #pragma once
 

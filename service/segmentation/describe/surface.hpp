@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small patches of all segments, which stand for their points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which supervoxels touch (section 4.1.2.1).
 #pragma once
 

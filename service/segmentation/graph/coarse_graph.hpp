@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A graph with fewer vertices and the same cuts worth making.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/graph/edge_heuristics.hpp"
 
 #include <Eigen/Geometry>

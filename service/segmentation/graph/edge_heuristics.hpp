@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Equations 4.1 to 4.7: what the border between two patches of surface says about them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A graph that is cut again and again, in place: a subgraph is a range of vertices and of edges.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The graph that is partitioned (section 4.1.2).
 #pragma once
 

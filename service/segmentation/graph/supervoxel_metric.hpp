@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far a voxel is from a supervoxel.
 #pragma once
 

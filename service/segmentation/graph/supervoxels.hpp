@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The patches of surface that everything after the clustering works on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Integer grid coordinates in one sortable number.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/math/cell_ranking.hpp"
 
 namespace cleave::segmentation {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers the occupied cells of a grid without laying the grid out: its extent costs nothing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/math/elimination_order.hpp"
 
 #include <amd.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // In which order to eliminate a graph's vertices so that few new edges arise.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A few eigenvectors of a matrix that is known by what its inverse does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sums over points from which a plane can be fitted; sums of disjoint sets add up.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One source for the few loops that most time goes into, compiled for more than one instruction
 // set; the program picks when it starts.
 #pragma once

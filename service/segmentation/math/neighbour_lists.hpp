@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Who is next to whom, flat: compressed sparse rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What stands in a list of indices where there is nothing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The normal of a plane through points, and how flat they lie, by Principal Component Analysis
 // (section 2.1.2.2).
 #pragma once

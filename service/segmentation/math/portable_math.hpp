@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Functions whose last bit does not depend on the processor, as that of the C library's may. Only
 // operations that IEEE 754 rounds exactly: + - * / and sqrt.
 #pragma once

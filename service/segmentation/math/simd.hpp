@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The compiler's portable vectors: element by element the same on every instruction set, and in
 // registers as wide as there are.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/math/sparse_ldl.hpp"
 
 #include "segmentation/math/no_index.hpp"

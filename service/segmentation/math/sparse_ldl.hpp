@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A sparse symmetric positive definite matrix, factored as L D L^T.
 #pragma once
 

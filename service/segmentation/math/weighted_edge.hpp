@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An undirected edge, as the eigenproblem sees it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Algorithm 2: the best of all bipartitions that the eigenvectors induce.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the spectral methods are compared with: segments without any partitioning of the graph.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What differs between the methods that share Algorithm 1: which cut is the best.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The spectral relaxation: small eigenvectors of a graph's Laplacian (sections 2.2.2, 4.1.3.2 and,
 // signed, 4.1.4).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the graph to segments, by the algorithm that the options name.
 #pragma once
 

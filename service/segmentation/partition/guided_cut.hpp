@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The supervised mode of section 5.3.2: cuts that agree with the truth.
 #pragma once
 

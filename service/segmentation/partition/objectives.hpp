@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How good a partition of a weighted graph is (sections 2.2.1, 2.3.1 and 4.1.4): what spectral
 // clustering relaxes, for tests, studies and comparisons.
 #pragma once

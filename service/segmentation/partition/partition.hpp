@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Spectral Supervoxel Clustering (section 4.1.3), plain and constrained (4.1.4).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Algorithm 3: the best of all bipartitions that the eigenvectors induce, by edge potentials.
 #pragma once
 

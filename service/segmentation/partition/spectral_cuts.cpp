@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/partition/spectral_cuts.hpp"
 
 namespace cleave::segmentation {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Algorithm 1 on any graph, with any way to find the best cut.
 #pragma once
 

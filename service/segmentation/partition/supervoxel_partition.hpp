@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The second half of the method alone, on supervoxels that someone else has made: what shows
 // whether theirs or ours are better, and what a caller with supervoxels of its own needs.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/partition/voxel_partition.hpp"
 
 namespace cleave::segmentation {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Spectral Voxel Clustering (section 4.2.3): Algorithm 1 with the cuts of Algorithm 3.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/path/path_finder.hpp"
 
 namespace cleave::segmentation {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/path/path_options.hpp"
 
 #include "segmentation/spacing/spacing_options.hpp"

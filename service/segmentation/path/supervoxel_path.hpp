@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The way of a frame from points to a graph of supervoxels, and from segments back to its points.
 // What the method does in between knows supervoxels alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/points/mixed_windows.hpp"
 
 #include <algorithm>

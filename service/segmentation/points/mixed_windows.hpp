@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where in an image a window can hold more than one segment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/points/mode_filter.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Smooths borders in the image: every pixel takes the commonest segment around it.
 #pragma once
 

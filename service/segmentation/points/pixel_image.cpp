@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/points/pixel_image.hpp"
 
 #include "segmentation/math/multiversion.hpp"

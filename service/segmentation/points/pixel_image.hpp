@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An organised cloud as planes of numbers with a border.
 #pragma once
 

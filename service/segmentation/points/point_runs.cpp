@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/points/point_runs.hpp"
 
 namespace cleave::segmentation {

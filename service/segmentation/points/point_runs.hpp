@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points that follow each other and lie in one segment.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The points that were measured, out of a cloud where some were not.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a frame tells of how densely its surfaces are sampled.
 #pragma once
 

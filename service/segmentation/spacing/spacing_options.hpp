@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Defaults that follow how dense a cloud is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/view/image_view.hpp"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds how an organised cloud has to be looked at to be an upright image from one viewpoint.
 #pragma once
 

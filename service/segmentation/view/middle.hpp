@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where points lie, and how large what they make is, whatever strays there are.
 #pragma once
 

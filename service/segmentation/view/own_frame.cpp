@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/view/own_frame.hpp"
 
 #include <Eigen/LU>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Is the cloud an image seen from its own origin along its own z axis? Then nothing has to move.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/view/point_view.hpp"
 
 #include <Eigen/Geometry>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds from where a cloud that is no image has to be looked at.
 #pragma once
 

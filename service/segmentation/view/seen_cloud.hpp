@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The first step of the segmentation, and its inverse: a cloud in the sensor's frame, images
 // upright, and the results in the cloud's own frame and order.
 #pragma once

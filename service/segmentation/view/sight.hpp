@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the points of a cloud look from some place: tells whether a sensor stood there.
 #pragma once
 

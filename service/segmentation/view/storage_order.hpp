@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The eight orders in which the pixels of one image can be stored.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a cloud is looked at: from where, along which axes, in which order.
 #pragma once
 

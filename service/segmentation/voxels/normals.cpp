@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxels/normals.hpp"
 
 #include "segmentation/math/plane_fit.hpp"

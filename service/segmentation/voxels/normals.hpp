@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Normals and curvatures of voxels (section 2.1.2.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxels/supervoxel_clustering.hpp"
 
 #include <algorithm>

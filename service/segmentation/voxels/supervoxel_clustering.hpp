@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Over-segmentation into supervoxels: patches of voxels that are near and alike (section 4.1.1),
 // after Voxel Cloud Connectivity Segmentation (Papon et al., CVPR 2013) without colour.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxels/supervoxel_fitter.hpp"
 
 #include "segmentation/math/plane_fit.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Supervoxels of voxels: where each lies, and how it is turned.
 #pragma once
 

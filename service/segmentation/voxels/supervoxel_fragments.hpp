@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Growth can tear a supervoxel apart; this makes every supervoxel connected.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where supervoxels start (Papon et al., "Voxel Cloud Connectivity Segmentation", CVPR 2013).
 #pragma once
 

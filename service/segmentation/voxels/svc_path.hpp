@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Spectral Voxel Clustering (section 4.1.1): each voxel is a supervoxel, and neighbours are joined.
 #pragma once
 

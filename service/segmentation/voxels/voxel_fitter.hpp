@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Voxels that are no finer than the cloud: between points farther apart, none would have a
 // neighbour, and every one would end as a segment of its own.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxels/voxel_graph.hpp"
 
 namespace cleave::segmentation {

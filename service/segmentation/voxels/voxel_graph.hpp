@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The graph of Spectral Voxel Clustering: voxels and their neighbours (section 4.2.2).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Downsampling to voxels (section 2.1.2.1).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The adjacency that the grid induces (section 2.1.2.1): voxels that share a face, edge or corner.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The steps of the segmentation on voxels, for any cloud.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why a frame has no segments. The names are what the status shows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A frame on its way through the pipeline: before and after a worker had it.
 #pragma once
 

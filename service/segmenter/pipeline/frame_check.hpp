@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a header from the bus must say before anyone believes it: who writes there is not known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Exact accounting: received = published + dropped + rejected + in flight, at every moment.
 #pragma once
 

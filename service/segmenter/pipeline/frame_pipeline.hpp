@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One sensor's frames from cloud to published segments. Knows no DDS: clouds are given to it, and
 // results go to a ResultSink.
 #pragma once

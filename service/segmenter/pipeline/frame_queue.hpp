@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Frames that wait for a worker, and the bound on those that workers have.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Results out in the order in which their frames came in, whoever finishes first.
 #pragma once
 

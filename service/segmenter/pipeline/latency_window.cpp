@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/pipeline/latency_window.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long the last frames took, and how many came a second. Fixed memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Problems that may come with every frame: each kind is logged once a second at most, and the last
 // one of any kind is kept for the status, for as long as it is news.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/pipeline/result_publisher.hpp"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The last step of a frame: its results go out and its end is entered in the books.
 #pragma once
 

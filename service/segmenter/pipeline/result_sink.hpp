@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where results go, as the pipeline sees it: DDS writers in the daemon, memory in tests.
 #pragma once
 

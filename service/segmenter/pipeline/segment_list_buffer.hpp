@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A segmentation in the contract's terms.
 #pragma once
 

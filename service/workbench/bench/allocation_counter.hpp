@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How often this thread asks for memory: by new, by malloc and its kin, in our code or in that of
 // the libraries that we call.
 #pragma once

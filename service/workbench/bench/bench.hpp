@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs the segmentation, and what it is compared with, over one cloud after the other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How the cost grows with the number of points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The same scene in fewer and in more points.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/cloud/option_setter.hpp"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The segmentation's options by name, from text.
 #pragma once
 

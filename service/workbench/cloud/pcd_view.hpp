@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A PCD file's points as the segmentation takes them.
 #pragma once
 

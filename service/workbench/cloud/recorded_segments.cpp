@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/cloud/recorded_segments.hpp"
 
 #include <utility>

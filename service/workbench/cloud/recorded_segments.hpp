@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A segmentation in a recording's terms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the sensor stood, as the command line says it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/cloud/why_not_segmented.hpp"
 
 namespace cleave::workbench {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Why a cloud has no segments, for people.
 #pragma once
 

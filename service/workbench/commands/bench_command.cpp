@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/commands/bench_command.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave bench`: what the segmentation costs, stage by stage and beside PCL, and what for.
 #pragma once
 

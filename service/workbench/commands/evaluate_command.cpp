@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/commands/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave evaluate`: how good segmentations are on labelled clouds.
 #pragma once
 

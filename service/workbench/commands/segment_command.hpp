@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave segment`: one cloud, offline.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave segment` of a recording: one labelled PCD file a frame.
 #pragma once
 

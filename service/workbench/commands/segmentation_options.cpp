@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/commands/segmentation_options.hpp"
 
 #include <CLI/CLI.hpp>

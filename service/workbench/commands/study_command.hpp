@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave study`: the thesis's parameter studies anew.
 #pragma once
 

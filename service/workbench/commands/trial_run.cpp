@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/commands/trial_run.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the commands that try methods on labelled scenes have in common.
 #pragma once
 

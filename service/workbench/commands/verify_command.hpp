@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave verify`: does the segmentation still give what it gave?.
 #pragma once
 

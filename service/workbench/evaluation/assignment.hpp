@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which row belongs to which column, when each may be taken once.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How well the borders between segments are found, in the image.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clouds with true labels, for whoever judges a segmentation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/evaluation/nearest_label.hpp"
 
 #include <Eigen/Core>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points that a method leaves without a label.
 #pragma once
 

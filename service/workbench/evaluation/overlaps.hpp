@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How many points each true segment shares with each found one: what every measure starts from.
 #pragma once
 

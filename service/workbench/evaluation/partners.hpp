@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which found segment stands for which true one (section 5.2.2).
 #pragma once
 

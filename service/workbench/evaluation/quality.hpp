@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How well a segmentation agrees with the truth (section 5.2 of the thesis).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/peers/load_peers.hpp"
 
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCL's methods, brought in when they are asked for: linked to the program, PCL's 70 MB of
 // libraries would make each start of it wait for a second.
 #pragma once

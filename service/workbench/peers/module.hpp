@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What libcleave_peers.so offers. Program and module are built together, so C++ types pass; the
 // caller owns what it gets.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What LCCP and CPC, which builds on it, have in common.
 #pragma once
 

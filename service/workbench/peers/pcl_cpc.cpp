@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <pcl/segmentation/cpc_segmentation.h>
 
 #include "workbench/peers/module.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/peers/module.hpp"
 #include "workbench/peers/pcl_convexity.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/peers/pcl_supervoxels.hpp"
 
 #include <pcl/console/print.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCL's supervoxels of a cloud. PCL's types stay within this folder's sources.
 #pragma once
 

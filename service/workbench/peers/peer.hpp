@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the segmentation is measured beside: other methods, in one form.
 #pragma once
 

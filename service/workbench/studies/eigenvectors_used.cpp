@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/studies/eigenvectors_used.hpp"
 
 #include <spdlog/fmt/fmt.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Figure 5.10: along which eigenvectors the cuts go that agree with the truth.
 #pragma once
 

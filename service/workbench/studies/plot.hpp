@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A study's figures, drawn as in the thesis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/studies/program.hpp"
 
 #include <spawn.h>

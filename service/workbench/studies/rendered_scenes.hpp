@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Labelled scenes for those who bring none.
 #pragma once
 

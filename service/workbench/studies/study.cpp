@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/studies/study.hpp"
 
 #include <spdlog/fmt/fmt.h>

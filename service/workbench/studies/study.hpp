@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parameter studies of section 5.3 of the thesis: one option varies, all else is as in the
 // thesis.
 #pragma once

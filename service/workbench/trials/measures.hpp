@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is told of a run, and of many: one list for tables, JSON and CSV.
 #pragma once
 

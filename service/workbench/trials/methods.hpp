@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ways to segment a cloud, ours and others, in one form.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trials for people, for programs and for spreadsheets.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One picture of a scene and of what methods made of it.
 #pragma once
 

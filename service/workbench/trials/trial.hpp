@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Methods tried on labelled scenes.
 #pragma once
 

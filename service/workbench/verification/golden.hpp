@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Labels and segments that are known to be right, and how others differ from them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recorded clouds through the segmentation, several at a time.
 #pragma once
 

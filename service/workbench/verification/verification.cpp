@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/verification/verification.hpp"
 
 #include <spdlog/spdlog.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recording through the segmentation, against what is known to be right.
 #pragma once
 

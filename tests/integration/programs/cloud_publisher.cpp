@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Publishes 30 clouds and tells where they lay and how often anything large was copied: the
 // writer's half of zero_copy_test. Usage: cloud_publisher shared|network SENSOR
 #include <iostream>

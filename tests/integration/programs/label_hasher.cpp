@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes a line "FRAME_ID HASH" to stdout for every label map that it receives, until it has COUNT
 // different frames. Usage: label_hasher SENSOR COUNT
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes every label map that it receives to FOLDER/<frame id>.labels: the points' labels, 2 bytes
 // each. Usage: label_recorder shared|network SENSOR COUNT FOLDER
 #include <fstream>

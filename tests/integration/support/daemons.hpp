@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Cleave's processes as a test starts them: quiet, on a domain of the test's own.
 #pragma once
 

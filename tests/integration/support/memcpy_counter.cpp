@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/integration/support/memcpy_counter.hpp"
 
 #include <atomic>

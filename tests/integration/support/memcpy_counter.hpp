@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counts the copies of 100 kB and more that anything in this process makes, DDS included.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a planner sees of the stream: segment lists and statuses, collected in the test's own
 // process over the public domain (no shared memory: RouDi would end the test with itself).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A child process of a test: started, watched, and ended by its own process id.
 #pragma once
 

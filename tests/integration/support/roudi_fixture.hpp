@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The one RouDi of the machine, for the tests that need shared memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Is a pointer inside a mapping that processes share?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small clouds for tests of the stream, where the content hardly matters: two planes that meet.
 #pragma once
 

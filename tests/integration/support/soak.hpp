@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A long run of the real processes: does memory stay flat, do labels stay the same?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads every .mcap file of a folder with MCAP's own reader, as a stream and by its index, checks every
 // CRC, and compares its messages, attachments and metadata with the list of the same name in another
 // folder, one by one. Prints how many files are equal.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads every message of a recording twice, by its index and as a stream, checks every CRC, and decodes
 // each message by the schema in the file. Prints one JSON object: messages by topic.
 // Usage: node read_all.mjs FILE

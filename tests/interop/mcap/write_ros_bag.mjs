@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bag as ROS 2 writes them, by MCAP's own writer and Foxglove's own serialisation: one depth image,
 // three times. Usage: node write_ros_bag.mjs DEPTH BAG WIDTH HEIGHT FX FY CX CY
 // DEPTH: uint16 millimetres, row by row, little endian; 0 = no measurement.

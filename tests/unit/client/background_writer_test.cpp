@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/record/background_writer.hpp"
 
 #include <gtest/gtest.h>

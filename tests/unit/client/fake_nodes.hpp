@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A grabber and a segmenter that publish small frames on the network path, without either program.
 #pragma once
 

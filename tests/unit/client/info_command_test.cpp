@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave info --json` leaves nothing out.
 #include "cleave/commands/info_command.hpp"
 

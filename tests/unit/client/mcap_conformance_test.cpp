@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The format's own conformance files, each with a list of its records: what `cleave info` counts
 // and what `cleave recover` writes.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/replay/replay_clock.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Statuses as the two nodes of the sensor "camera" would publish them.
 #pragma once
 

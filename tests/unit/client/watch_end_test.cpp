@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/watch/watch_end.hpp"
 
 #include <gtest/gtest.h>

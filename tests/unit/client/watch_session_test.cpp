@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The part of the client that touches DDS, over the network path of one process.
 #include "cleave/watch/watch_session.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "config/grabber_config.hpp"
 
 #include <gtest/gtest.h>

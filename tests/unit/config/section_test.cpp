@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "config/section.hpp"
 
 #include <gtest/gtest.h>

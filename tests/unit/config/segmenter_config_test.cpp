@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "config/segmenter_config.hpp"
 
 #include <gtest/gtest.h>

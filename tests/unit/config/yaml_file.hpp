@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A configuration file for one test, and the message that it is refused with.
 #pragma once
 

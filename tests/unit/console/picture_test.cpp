@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "console/picture/picture.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ bool is_grey(Rgb c) {
 const std::vector<float> wall = {0, 0, 1, 1, 0, 1, 2, 0, 2, nan, nan, nan,
                                  0, 1, 1, 1, 1, 1, 2, 1, 2, 3,   1,   2};
 const std::vector<std::uint16_t> wall_labels = {1, 1, 2, 0, 1, 1, 2, 0};
-const segmentation::CloudView wall_view{.xyz = wall.data(), .stride = 3, .width = 4, .height = 2};
+const PointsView wall_view{.xyz = wall.data(), .stride = 3, .width = 4, .height = 2};
 
 TEST(LabelColour, TellsApartLabelsThatFollowEachOther) {
   for (std::uint16_t a = 1; a <= 200; ++a) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/sources/decimating_source.hpp"
 
 #include <gtest/gtest.h>

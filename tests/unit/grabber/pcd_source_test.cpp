@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/sources/pcd_source.hpp"
 
 #include <gtest/gtest.h>

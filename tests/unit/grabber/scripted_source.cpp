@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/grabber/scripted_source.hpp"
 
 #include <exception>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A source whose every frame and mishap a test decides.
 #pragma once
 

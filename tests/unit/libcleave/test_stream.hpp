@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stream for tests that need no RouDi, out of the way of what else runs on the machine.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/recording/recording_files.hpp"
 
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX's
@@ -107,13 +108,11 @@ SegmentList segment_list(std::uint64_t frame_id) {
                              100U * label,
                              {at, 0.5F, 1.5F},
                              {0, 0, -1},
-                             {at, 0.25F, 1},
-                             {0, 0, 0, 1},
-                             {0.3F, 0.2F, 0.1F},
+                             {{at, 0.25F, 1}, {0, 0, 0, 1}, {0.3F, 0.2F, 0.1F}},
                              {1, 2, 3, 4},
                              0.75F});
   }
-  list.borders = {{1, 2, false}, {2, 3, true}};
+  list.borders = {{1, 2, BorderKind::concave}, {2, 3, BorderKind::convex}};
   list.queue_ms = 1.5F;
   list.segmentation_ms = 20.25F;
   return list;

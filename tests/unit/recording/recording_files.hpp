@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small frames, and files of them, for the tests of recordings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor/driver/fault_plan.hpp"
 
 #include <gtest/gtest.h>

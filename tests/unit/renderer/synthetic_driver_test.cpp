@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The synthetic camera through Debian's OpenNI2: one initialisation for the whole program, as
 // OpenNI2 allows no more.
 #include <OpenNI.h>

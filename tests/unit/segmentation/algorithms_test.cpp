@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What holds for every algorithm, on a small scene of two boxes on a table.
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "tests/unit/segmentation/support/table_cloud.hpp"
-#include "view/stored_scene.hpp"
+#include "tests/unit/segmentation/view/stored_scene.hpp"
 #include "workbench/bench/allocation_counter.hpp"
 
 namespace cleave::segmentation {
@@ -25,11 +26,11 @@ class AllocationsOf : public testing::TestWithParam<Representation> {
       }
     };
     segment_all();
-    const auto before = client::allocations_of_this_thread();
+    const auto before = allocations_of_this_thread();
 
     segment_all();
 
-    EXPECT_EQ(client::allocations_of_this_thread(), before);
+    EXPECT_EQ(allocations_of_this_thread(), before);
   }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // random_clouds [COUNT [SEED]]: segments so many random clouds and checks what holds for any.
 // Prints the seed of a cloud for which it does not, and exits with 1; a sanitizer finds the rest.
 #include <cstdio>
@@ -5,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "segmentation/view/measured.hpp"
 #include "tests/unit/segmentation/support/random_cloud.hpp"
 #include "tests/unit/segmentation/support/segment_cloud.hpp"
-#include "segmentation/view/measured.hpp"
 
 namespace {
 

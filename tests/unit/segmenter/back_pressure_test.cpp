@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Live mode when frames come faster than they are done: what is published stays young. Time is
 // counted in frames that came meanwhile, not in seconds.
 #include <gtest/gtest.h>

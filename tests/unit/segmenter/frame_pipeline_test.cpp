@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The whole pipeline with segmenters of random duration: what the daemon does but for DDS.
 #include "segmenter/pipeline/frame_pipeline.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/pipeline/in_order_publisher.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What drives the pipeline without DDS: clouds from memory, segmenters that leave a trace, and a
 // sink that remembers.
 #pragma once

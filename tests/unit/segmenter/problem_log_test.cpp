@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/pipeline/problem_log.hpp"
 
 #include <gtest/gtest.h>

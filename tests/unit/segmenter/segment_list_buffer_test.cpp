@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/pipeline/segment_list_buffer.hpp"
 
 #include <gtest/gtest.h>

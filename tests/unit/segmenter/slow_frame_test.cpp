@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pipeline while one frame takes its time: resends, clouds that are let go, loans that run out.
 #include <gtest/gtest.h>
 

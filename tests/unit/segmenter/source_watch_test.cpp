@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmenter/source_watch.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/commands/command_line.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A bag of ROS 2 through convert, verify and segment, as our own recordings go.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recordings and files in millimetres through every command that reads clouds.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave segment` as a user calls it, on clouds of a few hundred points.
 #include "workbench/commands/segment_command.hpp"
 

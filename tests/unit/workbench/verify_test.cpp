@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave verify`: one changed label in 300 frames is found, with any number of workers.
 #include "workbench/verification/verification.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A block of bytes of which nobody knows yet how many will be used.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/mcap/compression/lz4.hpp"
 
 #include <lz4frame.h>

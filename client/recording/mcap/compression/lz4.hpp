@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The other compression that MCAP knows: frames of LZ4. It is read, never written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The compression of the chunks that are written, and of most that are read.
 #pragma once
 

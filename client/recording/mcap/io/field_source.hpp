@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Fields off a record that stays in its file: only what is asked for is read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/mcap/io/input_file.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A file that grows record by record, and never keeps half of one.
 #pragma once
 

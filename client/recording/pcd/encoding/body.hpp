@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The points of a PCD file, in each of its encodings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // LZF, the compression of binary_compressed PCD files.
 #pragma once
 

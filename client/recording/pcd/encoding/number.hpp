@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers as PCD files write them in text, whatever the locale.
 #pragma once
 

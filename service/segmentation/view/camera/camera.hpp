@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pinhole camera in the frame of a cloud, and whether there are such cameras.
 #pragma once
 

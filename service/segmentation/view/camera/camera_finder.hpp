@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the camera that took an organised cloud, in whatever frame its points are.
 #pragma once
 

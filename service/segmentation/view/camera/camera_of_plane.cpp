@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/view/camera/camera_of_plane.hpp"
 
 #include <Eigen/Eigenvalues>

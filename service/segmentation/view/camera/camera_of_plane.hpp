@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What camera sees a plane as it is seen: of the many that do, the one with square pixels whose
 // axis goes through the middle of the image.
 #pragma once

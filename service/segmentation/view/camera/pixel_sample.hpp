@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A few pixels of an organised cloud that tell what camera took it.
 #pragma once
 

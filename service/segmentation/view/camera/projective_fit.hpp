@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The projective map that takes points to where they are seen, by the direct linear transform
 // (Hartley and Zisserman, "Multiple View Geometry", 4.1 and 7.1), in spite of strays.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/view/camera/straight_lines.hpp"
 
 #include <algorithm>

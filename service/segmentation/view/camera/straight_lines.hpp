@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether what lies in a column of an image is also seen in one column, and the columns in order.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files of other recorders that lie: no crash, no hang, no memory that a size asks for in vain.
 #include <gtest/gtest.h>
 

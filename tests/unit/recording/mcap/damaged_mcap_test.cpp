@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that lie: no crash, no hang, an error or what is intact.
 #include <gtest/gtest.h>
 

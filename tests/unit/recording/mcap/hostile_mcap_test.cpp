@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that are made to be read for ever: the work is in proportion to their size.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A recorder that is killed at any moment loses what its last chunk would have held, and no more.
 #include <gtest/gtest.h>
 #include <sys/resource.h>

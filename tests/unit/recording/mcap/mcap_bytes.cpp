@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/recording/mcap/mcap_bytes.hpp"
 
 #include <lz4frame.h>

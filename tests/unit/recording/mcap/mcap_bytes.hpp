@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // MCAP files record by record, as recorders of other people write them.
 #pragma once
 

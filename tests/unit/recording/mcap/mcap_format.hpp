@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A file of McapBytes, as it is read and as recover() copies it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What other recorders make of the format.
 #include <algorithm>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that lack something, or of which something is damaged: all else is read and kept.
 #include "tests/unit/recording/mcap/mcap_format.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Files that are mutated and cut at random: whatever they say, the reader ends in time, with a
 // clear error or with the frames that are whole. Worth most under the address sanitizer.
 #include <gtest/gtest.h>

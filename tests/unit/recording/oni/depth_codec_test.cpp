@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording/oni/depth_codec.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/recording/oni/oni_file.hpp"
 
 #include <unistd.h>

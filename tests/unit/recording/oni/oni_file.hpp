@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes small .oni files, record by record, as OpenNI's recorder does.
 #pragma once
 

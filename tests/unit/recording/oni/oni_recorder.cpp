@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Records the depth of a camera with OpenNI2's own recorder, and what it recorded to RAW: of every
 // frame its time stamp (8 bytes) and its pixels. Ends without taking OpenNI2 apart, whose recorder
 // and driver race then. Usage: oni_recorder URI OUT.oni RAW FRAMES (0 = until it is killed)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What OpenNI2's own recorder wrote, from the synthetic camera.
 #include <gtest/gtest.h>
 

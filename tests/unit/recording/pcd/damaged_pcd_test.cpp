@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCD files that lie: no crash, no hang, an error that names the file, or points.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCL's reader as the oracle: files of random fields, types and encodings hold the same values for
 // both, whoever wrote them.
 #include <gtest/gtest.h>

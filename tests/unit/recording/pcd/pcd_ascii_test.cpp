@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points as text.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points as bytes, plain and compressed.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A cloud that goes through the program: nothing of it may change but its labels.
 #include "recording/pcd/cloud.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Coordinates of any type as floats, near zero and far from it; where the sensor was.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/recording/pcd/pcd_files.hpp"
 
 #include <gtest/gtest.h>

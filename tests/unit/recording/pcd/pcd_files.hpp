@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // PCD files for tests, written by hand so that they may be as wrong as a test needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a header may look like, and what is refused: with which cause, and in which words.
 #include "recording/pcd/header.hpp"
 

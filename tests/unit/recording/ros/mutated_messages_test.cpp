@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Messages that lie: an error or some cloud, and no more memory than the message justifies.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/recording/ros/ros_bytes.hpp"
 
 namespace cleave::recording::ros {

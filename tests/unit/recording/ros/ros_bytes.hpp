@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Messages of ROS byte by byte, without a line of the library's own serialisation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // .oni recordings that become frames, and what the grabber makes of the same files.
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "segmentation/clean_up/dust_settler.hpp"
 #include "segmentation/math/no_index.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "tests/unit/segmentation/support/segmented.hpp"
 #include "tests/unit/segmentation/support/table_cloud.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/graph/coarse_graph.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/math/portable_math.hpp"
 
 #include <gtest/gtest.h>

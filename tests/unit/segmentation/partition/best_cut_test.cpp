@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/partition/best_cut.hpp"
 
 #include <gtest/gtest.h>

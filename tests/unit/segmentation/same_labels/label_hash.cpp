@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints a hash of the labels of a few scenes, for comparing builds of the library with each other.
 #include <cstdint>
 #include <cstdio>
 #include <vector>
 
-#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "segmentation/segmenter.hpp"
+#include "tests/unit/segmentation/support/depth_scene.hpp"
 #include "tests/unit/segmentation/support/table_cloud.hpp"
-#include "view/stored_scene.hpp"
+#include "tests/unit/segmentation/view/stored_scene.hpp"
 
 namespace {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A small depth image of two boxes on a table, for tests of what works on cells.
 #pragma once
 

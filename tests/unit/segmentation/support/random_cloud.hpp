@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clouds of every kind that someone may send, sound or not, each from its seed.
 #pragma once
 

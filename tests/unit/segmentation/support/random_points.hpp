@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Points that fill a small volume, for tests against brute force.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All that a segmenter says of a cloud.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Segments a cloud that can be segmented; a test in which it is refused fails.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Unordered points of a table with three boxes, as a filter of voxels leaves them, in the frame of
 // a robot's head: x forward, z up, all of it below.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One scene in other storage orders and frames, and how alike its segmentations are.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/voxels/voxel_grid.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave study` as a user calls it.
 #include "workbench/commands/study_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `cleave evaluate` as a user calls it, on a folder of small labelled scenes.
 #include "workbench/commands/evaluate_command.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/trials/groups.hpp"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/unit/workbench/trials/labelled_folder.hpp"
 
 #include "recording/pcd/folder.hpp"

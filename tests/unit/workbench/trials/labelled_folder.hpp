@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A folder of small labelled scenes, as a user of `cleave evaluate` has it.
 #pragma once
 
