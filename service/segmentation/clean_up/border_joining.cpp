@@ -2,7 +2,6 @@
 #include "segmentation/clean_up/border_joining.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "segmentation/graph/edge_heuristics.hpp"
 
@@ -87,20 +86,11 @@ bool BorderJoiner::is_hollow(const Border& border, const Curvature& a, const Cur
          across > sharper_at_a_cut * less_hollow - noise_per_metre;
 }
 
-std::uint32_t BorderJoiner::root(std::uint32_t segment) {
-  while (parent_[segment] != segment) {
-    parent_[segment] = parent_[parent_[segment]];
-    segment = parent_[segment];
-  }
-  return segment;
-}
-
 void BorderJoiner::join(const std::vector<SupervoxelEdge>& edges,
                         const std::vector<Surfel>& supervoxels, const GraphOptions& graph,
                         std::uint32_t segments, std::vector<std::uint32_t>& segment) {
   pool(edges, supervoxels, segments, segment);
-  parent_.resize(segments);
-  std::iota(parent_.begin(), parent_.end(), 0U);
+  joined_.reset(segments);
   for (std::size_t i = 0; i < border_.size(); ++i) {
     const std::uint64_t pair = ranking_.distinct_keys()[i];
     const auto low = static_cast<std::uint32_t>(pair >> 32);
@@ -110,11 +100,9 @@ void BorderJoiner::join(const std::vector<SupervoxelEdge>& edges,
         !is_hollow(border, inside_[low], inside_[high])) {
       continue;
     }
-    const std::uint32_t a = root(low);
-    const std::uint32_t b = root(high);
-    parent_[std::max(a, b)] = std::min(a, b);
+    joined_.join(low, high);
   }
-  for (std::uint32_t& s : segment) s = root(s);
+  for (std::uint32_t& s : segment) s = joined_.root(s);
 }
 
 }  // namespace cleave::segmentation
