@@ -8,6 +8,30 @@
 namespace cleave::segmentation {
 namespace {
 
+// The numbers were fitted to labelled scenes; QUALITY.md says what each of the three rules is
+// worth.
+
+// Summed weight of edges; a convex one has 1. With less, a border has hardly a link to judge by.
+constexpr double min_link_weight = 0.9;
+// Utility of the whole border as a cut (equation 4.8): well below that from which cuts are made,
+// partition.utility_threshold, as a border along which a cut was found looks worse than it is.
+constexpr double max_utility_of_border = 0.3;
+
+// Touching voxels or cells. Two surfaces that only happen to touch do so along fewer.
+constexpr double min_convex_length = 8;
+// Of the length; noise in the normals makes the rest look concave.
+constexpr double min_convex_share = 0.8;
+// Mean step along the border, in graph.max_step_m. Patches on both sides of a convex crease are off
+// each other's planes by more than patches of one plane; more still, and one side lies behind.
+constexpr float max_steps_of_crease = 5;
+
+// Of the length. Where less of it links, other evidence parts the two.
+constexpr double min_linking_share = 0.5;
+// How many times more than inside a hollow may bend at the border: cuts run where it bends most.
+constexpr double sharper_at_a_cut = 2;
+// 1/m. What noise in the normals adds to a curvature: half a right angle over 4 cm.
+constexpr double noise_per_metre = 20;
+
 struct Bend {
   double bend, square;
 };
@@ -63,26 +87,22 @@ void BorderJoiner::pool(const std::vector<SupervoxelEdge>& edges,
 }
 
 bool BorderJoiner::is_worth_no_cut(const Border& border) {
-  constexpr double some_links = 0.9;
-  constexpr double max_utility = 0.3;
-  return border.weight > some_links && border.cannot_links < max_utility * border.weight;
+  return border.weight > min_link_weight &&
+         border.cannot_links < max_utility_of_border * border.weight;
 }
 
 bool BorderJoiner::is_convex(const Border& border, const GraphOptions& graph) {
-  constexpr double some_length = 8;
-  constexpr double most = 0.8;
-  if (border.length <= some_length || border.convex <= most * border.length) return false;
-  return !(graph.max_step_m > 0) || border.step_m < 5 * graph.max_step_m * border.length;
+  if (border.length <= min_convex_length) return false;
+  if (border.convex <= min_convex_share * border.length) return false;
+  return !(graph.max_step_m > 0) ||
+         border.step_m < max_steps_of_crease * graph.max_step_m * border.length;
 }
 
 bool BorderJoiner::is_hollow(const Border& border, const Curvature& a, const Curvature& b) {
-  constexpr double half = 0.5;
-  constexpr double sharper_at_a_cut = 2;  // cuts run where a hollow bends most
-  constexpr double noise_per_metre = 20;  // half a right angle over 4 cm
   if (!a.known() || !b.known() || !(border.curved_length > 0)) return false;
   const double less_hollow = std::max(a.per_metre(), b.per_metre());
   const double across = border.curvature / border.curved_length;
-  return less_hollow < 0 && border.linking > half * border.length &&
+  return less_hollow < 0 && border.linking > min_linking_share * border.length &&
          across > sharper_at_a_cut * less_hollow - noise_per_metre;
 }
 
