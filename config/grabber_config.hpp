@@ -22,7 +22,7 @@ struct VideoConfig {
 struct GrabberConfig {
   std::string sensor = "camera";    // names the topics: cleave/<sensor>/cloud
   std::string coordinate_frame;     // of the points; empty = "<sensor>_optical"
-  std::string source = "openni2:";  // URI, see sensor/make_source.hpp
+  std::string source = "openni2:";  // URI, see sensor/sources/make_source.hpp
   std::string unit;                 // of the points of pcd and mcap: m, cm, mm; empty = not said
   std::uint32_t fps = 30;           // 1 to 240: mode of a camera, pace of recordings
   double max_gap_s = 1;             // 0 to 86400: longest pause between two frames of mcap:

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # A planner's CI: does the segmentation still find in our recording what it found when we looked at
-# it? Needs no camera, no daemon and no shared memory, and runs wherever `cleave` is installed.
+# it? Needs no camera, no daemon and no shared memory, and runs wherever `cleave` and
+# `cleave-workbench` are installed.
 #
 #   03_verify_in_ci.sh RECORDING.mcap [GOLDEN.mcap]
 #

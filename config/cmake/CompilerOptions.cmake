@@ -12,14 +12,16 @@ if(CCACHE)
   add_compile_options("-ffile-prefix-map=${checkout}=.")
 endif()
 
-# cleave_compile_options(target): C++20, warnings as errors, and floating point that gives the
-# same labels everywhere: contraction to fused multiply-add would make them depend on the machine.
+# cleave_compile_options(target): C++20, warnings as errors (a newer compiler's are let pass by
+# `cmake --compile-no-warning-as-error`), and floating point that gives the same labels everywhere:
+# contraction to fused multiply-add would make them depend on the machine.
 function(cleave_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
+    COMPILE_WARNING_AS_ERROR ON)
   # -Wrestrict is wrong about std::string's operator+ in GCC 12 (GCC bug 105651).
   target_compile_options(${target} PRIVATE
-    -Wall -Wextra -Wconversion -Werror -Wno-restrict -ffp-contract=off)
+    -Wall -Wextra -Wconversion -Wno-restrict -ffp-contract=off)
   # Sources that are compiled a dozen at a time: what stands in a nameless namespace is nobody else's
   # all the same.
   if(CMAKE_UNITY_BUILD)

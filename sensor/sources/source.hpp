@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where frames come from: a camera, or files.
+// Where frames come from: a camera, or files. sensor::Frame is what a source says of one before its
+// points are written.
 #pragma once
 
 #include <chrono>
@@ -16,7 +17,8 @@ namespace cleave::sensor {
 
 using recording::Intrinsics;  // all 0 = not an image
 
-// A frame without its points.
+// A frame without its points. (recording::Frame is a message on file, service::Frame a cloud that
+// waits for a worker.)
 struct Frame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;  // 1 = unorganised

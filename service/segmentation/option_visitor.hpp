@@ -36,7 +36,7 @@ void visit_options(Options& options, Visitor&& visitor) {
       "eigenproblem; svc: Spectral Voxel Clustering; convex-components: what convex edges connect");
 
   choice("representation", options.representation, std::array{Names("cells"), Names("voxels")},
-         "cells: of an image, fast, voxels where the cloud is none; voxels: of any cloud");
+         "cells: super-pixels of an image, fast, else voxels; voxels: of any cloud");
 
   auto& voxel = options.voxel;
   visitor.number("voxel.size_m", voxel.size_m, 0.0005, 1.0, "edge of a voxel, metres at 1 m depth");

@@ -13,9 +13,9 @@ enum class Algorithm { ssc, constrained_ssc, svc, convex_components };
 // metres (view/point_view).
 enum class Viewpoint { automatic, single, multiple };
 
-// What a cloud is made smaller with. Cells, of a few pixels, take a fifth of the time and need an
-// image seen from one viewpoint, in any frame and storage order (view/image_view). Any other cloud
-// is made into voxels.
+// What a cloud is made smaller with. Cells are super-pixels on a regular grid, blocks of a few
+// pixels: they take a fifth of the time and need an image seen from one viewpoint, in any frame and
+// storage order (view/image_view). Any other cloud is made into voxels.
 enum class Representation { cells, voxels };
 
 // Which Laplacian the eigenvectors are of: equation 2.11, 2.13 or 2.14.

@@ -23,8 +23,8 @@ class RecordSession {
   RecordSession(Stream& stream, const std::string& sensor, const std::set<recording::Kind>& topics,
                 BackgroundWriter& writer);
 
-  // Until shutdown is requested, `duration` has passed since the first frame, the writer has
-  // stopped, or the source has ended and no frame has come for a second. Why, for people.
+  // Until shutdown is requested, `duration_s` has passed since the first frame, the writer has
+  // stopped, or the source has ended and no frame has come for two seconds. Why, for people.
   // `on_tick` is called several times a second.
   [[nodiscard]] std::string run(Shutdown& shutdown, std::optional<double> duration_s,
                                 const std::function<void()>& on_tick);

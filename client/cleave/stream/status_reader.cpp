@@ -10,7 +10,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono_literals::operator""ms;
 
 constexpr auto moment = 500ms;      // in which the other nodes answer, once one has
-constexpr auto heard_for = 3000ms;  // nodes report every second
+constexpr auto heard_for = 3000ms;  // nodes report every half second
 constexpr auto status_wait = 100ms;
 
 }  // namespace

@@ -14,7 +14,7 @@ using std::chrono_literals::operator""ms;
 
 // How soon a signal or an end without a last message is noticed.
 constexpr auto watch_wait = 100ms;
-// Nodes report every second.
+// Nodes report every half second.
 constexpr auto status_patience = 1500ms;
 
 }  // namespace

@@ -15,12 +15,12 @@ Topic topic_of<LabelMap>(std::string_view sensor) {
 
 template <>
 Topic topic_of<SegmentList>(std::string_view sensor) {
-  return {segments_topic(sensor), &cleave_v1_SegmentList_desc, Domain::open, 4, false};
+  return {segments_topic(sensor), &cleave_v1_SegmentList_desc, Domain::public_domain, 4, false};
 }
 
 template <>
 Topic topic_of<NodeStatus>(std::string_view /*sensor*/) {
-  return {std::string(status_topic), &cleave_v1_NodeStatus_desc, Domain::open, 1, true};
+  return {std::string(status_topic), &cleave_v1_NodeStatus_desc, Domain::public_domain, 1, true};
 }
 
 }  // namespace cleave

@@ -11,8 +11,9 @@
 
 namespace cleave {
 
-// Construct first in main, before any thread: it blocks both signals, and threads inherit that.
-// A second signal while the first is being honoured ends the process at once (exit code 130).
+// Construct before any other thread: it blocks both signals, and SIGUSR1 for its own use, for as
+// long as the process lives, and threads inherit that. A signal after shutdown was requested, by a
+// first one or by request(), ends the process at once (exit code 130).
 class Shutdown {
  public:
   Shutdown();
@@ -25,8 +26,9 @@ class Shutdown {
   void request();
   // Waits up to `timeout`; true if shutdown was requested.
   bool wait_for(std::chrono::milliseconds timeout);
-  // Runs `action` once when shutdown is requested, on the signal's thread (at once, on this one, if
-  // it has been already). Keep it short, e.g. WaitSet::wake. Replaces the action set before.
+  // Runs `action` once when shutdown is requested, on the signal's thread or the one that calls
+  // request() (at once, on this one, if it has been already). Keep it short, e.g. WaitSet::wake.
+  // Replaces the action set before.
   void on_request(std::function<void()> action);
 
  private:

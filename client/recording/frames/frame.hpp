@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What recordings hold, free of any transport: the contract's types in plain C++, with the members
-// that idl/fields.hpp visits.
+// recording::Frame: what recordings hold, free of any transport: one message, be it a cloud, a label
+// map or a segment list. The contract's types in plain C++, with the members that idl/fields.hpp
+// visits.
 #pragma once
 
 #include <cstddef>
@@ -119,6 +120,7 @@ struct SegmentList {
 
 enum class Kind { cloud, labels, segments };
 
+// A cloud and its labels are two of these, with the same header.
 struct Frame {
   std::int64_t log_time_ns = 0;  // when it was recorded, wall clock
   std::variant<Cloud, Labels, SegmentList> content;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An organised cloud in cells of a few pixels: what the fast path has instead of voxels.
+// An organised cloud in cells, super-pixels on a regular grid: square blocks of a few pixels, a
+// point each. What the fast path has instead of voxels.
 #pragma once
 
 #include <array>

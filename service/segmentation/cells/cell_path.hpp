@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of the segmentation on cells of an image, where the cloud is one.
+// The steps of the segmentation on cells, the super-pixels of an image, where the cloud is one.
 #pragma once
 
 #include <span>

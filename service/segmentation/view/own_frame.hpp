@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Is the cloud an image seen from its own origin along its own z axis? Then nothing has to move.
+// Is the cloud in its sensor's coordinate frame: an image seen from its own origin along its own z
+// axis? Then nothing has to move.
 #pragma once
 
 #include <Eigen/Core>

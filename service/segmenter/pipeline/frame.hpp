@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A frame on its way through the pipeline: before and after a worker had it.
+// service::Frame, a cloud that waits for a worker, and FinishedFrame, its results until they are
+// published.
 #pragma once
 
 #include <cstdint>

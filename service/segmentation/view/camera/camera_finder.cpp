@@ -29,12 +29,12 @@ Camera turned_to(const std::vector<SampledPixel>& pixels, const Eigen::Vector3d&
 }  // namespace
 
 Eigen::Vector2d CameraFinder::seen_at(const SampledPixel& pixel) const {
-  return (Eigen::Vector2d(pixel.column, pixel.row) - frame_.centre) / frame_.size;
+  return (Eigen::Vector2d(pixel.column, pixel.row) - scaling_.centre) / scaling_.size;
 }
 
 Eigen::Matrix3d CameraFinder::to_pixels() const {
-  Eigen::Matrix3d matrix = Eigen::Vector3d(frame_.size, frame_.size, 1).asDiagonal();
-  matrix.topRightCorner<2, 1>() = frame_.centre;
+  Eigen::Matrix3d matrix = Eigen::Vector3d(scaling_.size, scaling_.size, 1).asDiagonal();
+  matrix.topRightCorner<2, 1>() = scaling_.centre;
   return matrix;
 }
 
@@ -50,29 +50,29 @@ Camera CameraFinder::fit_from(const Pixels& part, const Eigen::Vector3d& centre)
 std::optional<Camera> CameraFinder::fit_anywhere(const Pixels& part) {
   from_anywhere_.clear();
   for (const SampledPixel& p : part) {
-    const Eigen::Vector3d point = (p.point - frame_.middle) / frame_.extent_m;
+    const Eigen::Vector3d point = (p.point - scaling_.middle) / scaling_.extent_m;
     from_anywhere_.add(point.homogeneous(), seen_at(p));
   }
   const Eigen::Matrix<double, 3, 4> map = from_anywhere_.solve();
   const Eigen::Matrix3d projection = map.leftCols<3>();
   const Eigen::Vector3d centre = -projection.inverse() * map.col(3);
   if (!(centre.norm() < max_distance_extents)) return std::nullopt;
-  return turned_to(part, frame_.middle + frame_.extent_m * centre, to_pixels() * projection);
+  return turned_to(part, scaling_.middle + scaling_.extent_m * centre, to_pixels() * projection);
 }
 
 std::optional<Camera> CameraFinder::fit_to_plane(const Pixels& part) {
   constexpr double flat = 0.02;
-  const ScenePlane plane = plane_through(part, frame_.middle, frame_.extent_m);
+  const ScenePlane plane = plane_through(part, scaling_.middle, scaling_.extent_m);
   if (!(plane.flatness < flat)) return std::nullopt;
   from_centre_.clear();
   for (const SampledPixel& p : part) {
-    const Eigen::Vector3d point = plane.axes.transpose() * (p.point - frame_.middle);
-    from_centre_.add({point.x() / frame_.extent_m, point.y() / frame_.extent_m, 1}, seen_at(p));
+    const Eigen::Vector3d point = plane.axes.transpose() * (p.point - scaling_.middle);
+    from_centre_.add({point.x() / scaling_.extent_m, point.y() / scaling_.extent_m, 1}, seen_at(p));
   }
   Camera camera = camera_of_plane(from_centre_.solve());
   camera.centre.z() += plane.height;
   if (!(camera.centre.norm() < max_distance_extents)) return std::nullopt;
-  return turned_to(part, frame_.middle + frame_.extent_m * (plane.axes * camera.centre),
+  return turned_to(part, scaling_.middle + scaling_.extent_m * (plane.axes * camera.centre),
                    to_pixels() * camera.projection * plane.axes.transpose());
 }
 
@@ -101,7 +101,7 @@ std::optional<Camera> CameraFinder::fit(const Pixels& part, const Pixels& all,
     return has_sound_pixels(camera, square) && fits(camera, all);
   };
   for (const Eigen::Vector3d& centre : centres) {
-    if (!((centre - frame_.middle).norm() < max_distance_extents * frame_.extent_m)) continue;
+    if (!((centre - scaling_.middle).norm() < max_distance_extents * scaling_.extent_m)) continue;
     const Camera camera = fit_from(part, centre);
     if (is_sound(camera, true)) return camera;
   }
@@ -118,10 +118,10 @@ std::optional<Camera> CameraFinder::find(const PixelSample& sample, std::uint32_
                                          std::span<const Eigen::Vector3d> centres) {
   if (!(sample.extent_m() > 0)) return std::nullopt;
   const Eigen::Vector2d size(width, height);
-  frame_ = {.middle = sample.middle(),
-            .extent_m = sample.extent_m(),
-            .centre = (size - Eigen::Vector2d::Ones()) / 2,
-            .size = size.maxCoeff()};
+  scaling_ = {.middle = sample.middle(),
+              .extent_m = sample.extent_m(),
+              .centre = (size - Eigen::Vector2d::Ones()) / 2,
+              .size = size.maxCoeff()};
   const Pixels& all = sample.pixels();
   std::optional<Camera> camera = fit(all, all, centres);
   for (int half = 0; half < 4 && !camera; ++half) {

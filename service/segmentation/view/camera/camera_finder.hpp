@@ -26,7 +26,7 @@ class CameraFinder {
 
  private:
   using Pixels = std::vector<SampledPixel>;
-  struct Frame {  // of numbers that are about 1 large
+  struct Scaling {  // to numbers that are about 1 large, as Hartley and Zisserman normalise
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     double extent_m = 1;
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // column, row
@@ -41,7 +41,7 @@ class CameraFinder {
   [[nodiscard]] Eigen::Vector2d seen_at(const SampledPixel& pixel) const;
   [[nodiscard]] Eigen::Matrix3d to_pixels() const;  // from seen_at
 
-  Frame frame_;
+  Scaling scaling_;
   ProjectiveFit<3> from_centre_;
   ProjectiveFit<4> from_anywhere_;
   StraightLines columns_, rows_;

@@ -32,37 +32,38 @@ class NoPrograms {
   NoPrograms& operator=(const NoPrograms&) = delete;
 
  private:
-  TemporaryFolder empty_;
+  tests::TemporaryFolder empty_;
   std::string before_ = std::getenv("PATH");
 };
 
 TEST(StudyCommand, WritesDataAndPlotsOfAnyLabelledFolder) {
   const LabelledFolder scenes;
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const auto output = folder.path() / "figures";
 
   EXPECT_EQ(run_study({"cannot-link-threshold", scenes.path(), "--output", output, "--jobs", "2"}),
             exit_done);
 
   for (const char* ending : {".dat", ".gnuplot", ".svg", ".png"}) {
-    EXPECT_FALSE(read_file(output / (std::string("cannot-link-threshold") + ending)).empty())
+    EXPECT_FALSE(tests::read_file(output / (std::string("cannot-link-threshold") + ending)).empty())
         << ending;
   }
 }
 
 TEST(StudyCommand, CountsTheEigenvectorsThatTrueCutsNeed) {
   const LabelledFolder scenes;
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
 
   EXPECT_EQ(run_study({"eigenvectors-used", scenes.path(), "--output", folder.path()}), exit_done);
 
-  EXPECT_NE(read_file(folder.path() / "eigenvectors-used.dat").find("\n1 "), std::string::npos);
-  EXPECT_EQ(read_file(folder.path() / "eigenvectors-used.png").substr(1, 3), "PNG");
+  EXPECT_NE(tests::read_file(folder.path() / "eigenvectors-used.dat").find("\n1 "),
+            std::string::npos);
+  EXPECT_EQ(tests::read_file(folder.path() / "eigenvectors-used.png").substr(1, 3), "PNG");
 }
 
 TEST(StudyCommand, KeepsTheDataWhereGnuplotIsMissingAndSaysWhatToInstall) {
   const LabelledFolder scenes;
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const NoPrograms no_programs;
 
   try {
@@ -71,7 +72,7 @@ TEST(StudyCommand, KeepsTheDataWhereGnuplotIsMissingAndSaysWhatToInstall) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("apt-get install gnuplot-nox"), std::string::npos);
   }
-  EXPECT_FALSE(read_file(folder.path() / "cannot-link-weight.dat").empty());
+  EXPECT_FALSE(tests::read_file(folder.path() / "cannot-link-weight.dat").empty());
 }
 
 TEST(StudyCommand, RefusesWrongUsage) {
@@ -80,7 +81,7 @@ TEST(StudyCommand, RefusesWrongUsage) {
 }
 
 TEST(RenderedScenes, AreMadeOnceAndKept) {
-  const TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
 
   const auto files = rendered_scenes(folder.path() / "scenes", "medium", 2);
   ASSERT_EQ(files.size(), 2U);

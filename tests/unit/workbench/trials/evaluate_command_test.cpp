@@ -60,10 +60,10 @@ TEST(EvaluateCommand, WritesATableForSpreadsheetsAndAPictureAScene) {
 
   EXPECT_EQ(output.code, exit_done);
   EXPECT_NE(output.text.find("Scenes 0-1, 2 of them:"), std::string::npos) << output.text;
-  const std::string lines = read_file(csv);
+  const std::string lines = tests::read_file(csv);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 1 + 3 * 2);
   for (const char* name : {"000-scene1.png", "001-scene2.png", "002-scene10.png"}) {
-    EXPECT_EQ(read_file(pictures / name).substr(1, 3), "PNG") << name;
+    EXPECT_EQ(tests::read_file(pictures / name).substr(1, 3), "PNG") << name;
   }
 }
 
@@ -80,7 +80,7 @@ TEST(EvaluateCommand, FailsWhereASceneHadToBeSkippedButTellsOfTheOthers) {
 }
 
 TEST(EvaluateCommand, FailsWhereThereIsNothingToJudge) {
-  const TemporaryFolder empty;
+  const tests::TemporaryFolder empty;
   EXPECT_THROW((void)run_evaluate({empty.path()}), std::runtime_error);
 
   const LabelledFolder folder;
