@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "segmentation/ignored_options.hpp"
 #include "segmentation/option_visitor.hpp"
 
 namespace cleave::segmentation {
@@ -40,6 +41,10 @@ struct RangeCheck {
 void check_options(const Options& options) {
   Options copy = options;  // visit_options hands out references
   visit_options(copy, RangeCheck{});
+  if (const auto ignored = find_ignored_option(options)) {
+    throw std::invalid_argument("segmentation option " + ignored->name + " is " + ignored->value +
+                                ", but " + ignored->why + ": leave it out, or " + ignored->remedy);
+  }
 }
 
 }  // namespace cleave::segmentation

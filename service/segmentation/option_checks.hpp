@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refuses options that are out of their range.
+// Refuses options that are out of their range, or set in vain.
 #pragma once
 
 #include "segmentation/options.hpp"
 
 namespace cleave::segmentation {
 
-// Throws std::invalid_argument that names the first option out of its range, and the range.
+// Throws std::invalid_argument that names the first option out of its range, and the range; or the
+// first one that what was chosen does not read (ignored_options).
 void check_options(const Options& options);
 
 }  // namespace cleave::segmentation

@@ -48,7 +48,7 @@ void visit_options(Options& options, Visitor&& visitor) {
       "single: voxels grow with depth; multiple: they do not; automatic: as the cloud was sampled");
   choice("voxel.neighbourhood", voxel.neighbourhood,
          std::array{Names("automatic"), Names("6"), Names("18"), Names("26")},
-         "neighbours of a voxel, not of a cell; automatic: 18 for svc, 26 otherwise");
+         "neighbours of a voxel, for representation voxels; automatic: 18 for svc, else 26");
   visitor.number("voxel.grid_offset", voxel.grid_offset, 0, 1, "shift of the grid, voxels");
 
   auto& supervoxel = options.supervoxel;
@@ -60,9 +60,10 @@ void visit_options(Options& options, Visitor&& visitor) {
                  "weight of the difference of normals");
   visitor.integer("supervoxel.min_seed_voxels", supervoxel.min_seed_voxels, 1, 1000,
                   "voxels that a seed's cell must hold");
-  visitor.integer("supervoxel.sweeps", supervoxel.sweeps, 1, 100, "k-means sweeps");
+  visitor.integer("supervoxel.sweeps", supervoxel.sweeps, 0, 100,
+                  "k-means sweeps; 0: 6 of voxels, 3 of cells");
   visitor.boolean("supervoxel.refit_from_points", supervoxel.refit_from_points,
-                  "fit supervoxels to points, not to voxels");
+                  "fit supervoxels to points, not to voxels or cells");
 
   auto& graph = options.graph;
   choice("graph.convexity", graph.convexity, std::array{Names("karpathy"), Names("lai")},

@@ -38,7 +38,8 @@ struct VoxelOptions {
   // is set to another value than its default is kept.
   bool follow_spacing = true;
   Viewpoint viewpoint = Viewpoint::automatic;
-  Neighbourhood neighbourhood = Neighbourhood::automatic;  // of voxels, not of cells
+  // Of voxels: cells have their own neighbours, and it is refused where images become cells.
+  Neighbourhood neighbourhood = Neighbourhood::automatic;
   // Shift of the grid in voxels, 0 to 1, for judging a change by its mean over several grids.
   float grid_offset = 0;
 };
@@ -48,8 +49,8 @@ struct SupervoxelOptions {
   float spatial_weight = 1;
   float normal_weight = 8;
   std::uint32_t min_seed_voxels = 5;  // cells of the seed grid with fewer voxels get no seed
-  std::uint32_t sweeps = 6;           // of voxels; cells need three
-  bool refit_from_points = true;      // centroid and normal from all points, not from voxels
+  std::uint32_t sweeps = 0;           // of k-means; 0: six of voxels, three of cells
+  bool refit_from_points = true;      // each voxel or cell counts by its points, not as one
 };
 
 // How convex edges are told (section 4.1.2.2): after Karpathy et al., equation 4.1, or after Lai et
@@ -120,6 +121,8 @@ struct DescribeOptions {
   float plane_distance_m = 0.01F;
 };
 
+// An algorithm reads some of them: what it would ignore is refused where it is set to a value that
+// neither preset gives it (ignored_options).
 struct Options {
   Algorithm algorithm = Algorithm::ssc;
   Representation representation = Representation::cells;

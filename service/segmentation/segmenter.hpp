@@ -37,7 +37,8 @@ class StageObserver {
 // the options alone: not on the thread, the run, the machine's load, or what was segmented before.
 class Segmenter {
  public:
-  // Throws std::invalid_argument, naming the option, when one is out of its range.
+  // Throws std::invalid_argument, naming the option, when one is out of its range, or set
+  // although the algorithm or the representation does not read it (ignored_options).
   explicit Segmenter(const Options& options = {});
   ~Segmenter();
   Segmenter(Segmenter&&) noexcept;

@@ -40,6 +40,12 @@ class OptionBinder {
     section->choice(key, index, std::vector<std::string>(names.begin(), names.end()));
   }
 
+  // Refuses an option that the file names, with its line: see config::Section::refuse.
+  [[noreturn]] void refuse(std::string_view name, const std::string& expected) {
+    const auto [section, key] = find(name);
+    section->refuse(key, expected);
+  }
+
  private:
   std::pair<config::Section*, std::string_view> find(std::string_view name) {
     const std::size_t dot = name.find('.');

@@ -8,6 +8,7 @@
 #include "config/section.hpp"
 #include "config/segmenter_config.hpp"
 #include "idl/topics.hpp"
+#include "segmentation/ignored_options.hpp"
 #include "segmentation/option_visitor.hpp"
 #include "segmenter/option_binder.hpp"
 #include "segmenter/pipeline/frame_pipeline.hpp"
@@ -19,7 +20,11 @@ constexpr std::size_t lossless_queue = 8;  // beyond the window of frames that t
 
 segmentation::Options read_options(config::Section section) {
   segmentation::Options options;
-  segmentation::visit_options(options, OptionBinder(section));
+  OptionBinder binder(section);
+  segmentation::visit_options(options, binder);
+  if (const auto ignored = segmentation::find_ignored_option(options)) {
+    binder.refuse(ignored->name, "no value, as " + ignored->why + " (or " + ignored->remedy + ")");
+  }
   return options;
 }
 

@@ -19,8 +19,7 @@ void init_logging(const std::string& program) {
   spdlog::set_default_logger(std::move(logger));
 }
 
-bool LogLimiter::allow(std::uint64_t& suppressed) {
-  const auto now = std::chrono::steady_clock::now();
+bool LogLimiter::allow(std::uint64_t& suppressed, Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   if (now < next_) {
     ++suppressed_;

@@ -15,15 +15,17 @@ void init_logging(const std::string& program);
 // Lets one message through an interval and counts the rest, for causes that repeat at frame rate.
 class LogLimiter {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit LogLimiter(std::chrono::milliseconds interval = std::chrono::seconds(1))
       : interval_(interval) {}
   // True: log now; `suppressed` is how many were swallowed since the last time. From any thread.
-  [[nodiscard]] bool allow(std::uint64_t& suppressed);
+  [[nodiscard]] bool allow(std::uint64_t& suppressed, Clock::time_point now = Clock::now());
 
  private:
   std::chrono::milliseconds interval_;
   std::mutex mutex_;  // guards the two below
-  std::chrono::steady_clock::time_point next_{};
+  Clock::time_point next_{};
   std::uint64_t suppressed_ = 0;
 };
 

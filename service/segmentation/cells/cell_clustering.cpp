@@ -10,11 +10,11 @@
 namespace cleave::segmentation {
 namespace {
 
-constexpr std::uint32_t sweeps = 3;     // each cell is in the right window from the first on
-constexpr float window = 0.9F;          // half an edge, in seed spacings
-constexpr float max_window_cells = 10;  // half an edge
-constexpr std::size_t lanes = 8;        // cells, of a row, that are worked on at once at most
-constexpr float max_distance = 1e4F;    // nothing is as far as an empty cell
+constexpr std::uint32_t few_sweeps = 3;  // each cell is in the right window from the first on
+constexpr float window = 0.9F;           // half an edge, in seed spacings
+constexpr float max_window_cells = 10;   // half an edge
+constexpr std::size_t lanes = 8;         // cells, of a row, that are worked on at once at most
+constexpr float max_distance = 1e4F;     // nothing is as far as an empty cell
 static_assert(max_window_cells + lanes < CellImage::border, "windows reach into the border");
 
 // A window of cells, from the first one of its first row on.
@@ -153,6 +153,7 @@ std::uint32_t CellClusterer::cluster(const CellImage& cells, const SupervoxelOpt
   seed_selector_.select(cells, options.seed_spacing_m, options.min_seed_voxels, seeds_);
   plant_seeds(cells);
   assign_cells(cells, options, owner);
+  const std::uint32_t sweeps = options.sweeps > 0 ? options.sweeps : few_sweeps;
   for (std::uint32_t sweep = 1; sweep < sweeps; ++sweep) {
     move_centres(cells, owner);
     assign_cells(cells, options, owner);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/cells/cell_fragments.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,20 +26,13 @@ float distance(const CellImage& cells, std::size_t i, std::size_t j,
 
 }  // namespace
 
-std::uint32_t CellFragmentMender::root(std::uint32_t piece) {
-  while (pieces_[piece].parent != piece) {
-    pieces_[piece].parent = pieces_[pieces_[piece].parent].parent;
-    piece = pieces_[piece].parent;
-  }
-  return piece;
-}
-
 // One pass over the image: a cell joins the pieces of the neighbours before it, which may turn out
 // to be one piece.
 void CellFragmentMender::find_pieces(const CellImage& cells, const CellLinks& links,
                                      const std::vector<std::uint32_t>& owner) {
   const auto steps = cells.steps();
   pieces_.clear();
+  joined_.reset(0);
   piece_of_cell_.assign(cells.size(), none);
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::size_t begin = cells.row_begin(row);
@@ -54,21 +46,19 @@ void CellFragmentMender::find_pieces(const CellImage& cells, const CellLinks& li
         if (piece == none) {
           piece = other;
         } else if (piece != other) {
-          const std::uint32_t a = root(piece);
-          const std::uint32_t b = root(other);
-          pieces_[std::max(a, b)].parent = std::min(a, b);
+          joined_.join(piece, other);
         }
       }
       if (piece == none) {
-        piece = static_cast<std::uint32_t>(pieces_.size());
-        pieces_.push_back({.parent = piece, .owner = owner[i], .cells = 0, .stays = false});
+        piece = joined_.add();
+        pieces_.push_back({.owner = owner[i], .cells = 0, .stays = false});
       }
       piece_of_cell_[i] = piece;
       ++pieces_[piece].cells;
     }
   }
   for (auto p = static_cast<std::uint32_t>(pieces_.size()); p-- > 0;) {
-    const std::uint32_t r = root(p);
+    const std::uint32_t r = joined_.root(p);
     if (r != p) pieces_[r].cells += pieces_[p].cells;
   }
 }
@@ -77,7 +67,7 @@ void CellFragmentMender::decide_who_stays(std::uint32_t owners) {
   largest_piece_.assign(owners, none);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
     Piece& piece = pieces_[p];
-    if (piece.parent != p) continue;
+    if (joined_.root(p) != p) continue;
     piece.stays = piece.cells >= min_own_supervoxel;
     if (piece.owner == none) continue;
     std::uint32_t& largest = largest_piece_[piece.owner];
@@ -136,7 +126,7 @@ std::uint32_t CellFragmentMender::mend(const CellImage& cells, const CellLinks& 
     const auto begin = static_cast<std::uint32_t>(cells.row_begin(row));
     for (std::uint32_t i = begin; i < begin + cells.columns; ++i) {
       if (!cells.occupied(i)) continue;
-      supervoxel[i] = root(piece_of_cell_[i]);
+      supervoxel[i] = joined_.root(piece_of_cell_[i]);
       if (!pieces_[supervoxel[i]].stays) loose_.push_back(i);
     }
   }

@@ -8,6 +8,7 @@
 #include "segmentation/cells/cell_image.hpp"
 #include "segmentation/cells/cell_links.hpp"
 #include "segmentation/graph/supervoxel_metric.hpp"
+#include "segmentation/math/union_find.hpp"
 
 namespace cleave::segmentation {
 
@@ -24,7 +25,6 @@ class CellFragmentMender {
 
  private:
   struct Piece {
-    std::uint32_t parent = 0;  // union-find; the lowest piece is the root
     std::uint32_t owner = 0;
     std::uint32_t cells = 0;
     bool stays = false;
@@ -34,9 +34,9 @@ class CellFragmentMender {
   void decide_who_stays(std::uint32_t owners);
   void settle_loose_cells(const CellImage& cells, const CellLinks& links,
                           const SupervoxelOptions& options, std::vector<std::uint32_t>& supervoxel);
-  [[nodiscard]] std::uint32_t root(std::uint32_t piece);
 
   std::vector<Piece> pieces_;
+  UnionFind joined_;  // pieces; only roots are pieces any more
   std::vector<std::uint32_t> piece_of_cell_;
   std::vector<std::uint32_t> largest_piece_;        // of an owner
   std::vector<std::uint32_t> loose_, still_loose_;  // cells

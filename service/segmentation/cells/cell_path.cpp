@@ -18,7 +18,7 @@ void CellPath::cluster(const SupervoxelOptions& options, Supervoxels& supervoxel
   const std::uint32_t clusters = clusterer_.cluster(cells_, options, owner_);
   const std::uint32_t count =
       mender_.mend(cells_, links_, owner_, clusters, options, supervoxel_of_cell_);
-  fitter_.fit(cells_, supervoxel_of_cell_, count, supervoxels);
+  fitter_.fit(cells_, supervoxel_of_cell_, count, options.refit_from_points, supervoxels);
 }
 
 void CellPath::build_graph(const Supervoxels& supervoxels, const Options& options,

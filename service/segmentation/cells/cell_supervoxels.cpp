@@ -11,7 +11,7 @@ constexpr double min_plane_spread_ratio = 1e-3;
 }  // namespace
 
 void CellSupervoxelFitter::fit(const CellImage& cells, const std::vector<std::uint32_t>& supervoxel,
-                               std::size_t count, Supervoxels& supervoxels) {
+                               std::size_t count, bool from_points, Supervoxels& supervoxels) {
   sums_.assign(count, Sums{});
   for (std::uint32_t row = 0; row < cells.rows; ++row) {
     const std::size_t begin = cells.row_begin(row);
@@ -19,21 +19,23 @@ void CellSupervoxelFitter::fit(const CellImage& cells, const std::vector<std::ui
       if (supervoxel[i] == CellClusterer::no_owner) continue;
       Sums& sum = sums_[supervoxel[i]];
       const double points = cells.points[i];
+      const double weight = from_points ? points : 1;
       const double u = cells.u[i];
       const double v = cells.v[i];
       const double q = cells.inverse_depth[i];
       sum.points += points;
-      sum.x += points * cells.x[i];
-      sum.y += points * cells.y[i];
-      sum.z += points * cells.z[i];
-      sum.u += points * u;
-      sum.v += points * v;
-      sum.q += points * q;
-      sum.uu += points * u * u;
-      sum.uv += points * u * v;
-      sum.vv += points * v * v;
-      sum.uq += points * u * q;
-      sum.vq += points * v * q;
+      sum.weight += weight;
+      sum.x += weight * cells.x[i];
+      sum.y += weight * cells.y[i];
+      sum.z += weight * cells.z[i];
+      sum.u += weight * u;
+      sum.v += weight * v;
+      sum.q += weight * q;
+      sum.uu += weight * u * u;
+      sum.uv += weight * u * v;
+      sum.vv += weight * v * v;
+      sum.uq += weight * u * q;
+      sum.vq += weight * v * q;
       sum.normal += Eigen::Vector3f(cells.normal_x[i], cells.normal_y[i], cells.normal_z[i]);
     }
   }
@@ -42,7 +44,7 @@ void CellSupervoxelFitter::fit(const CellImage& cells, const std::vector<std::ui
   supervoxels.point_count.resize(count);
   for (std::size_t s = 0; s < count; ++s) {
     const Sums& sum = sums_[s];
-    const double share = 1 / sum.points;
+    const double share = 1 / sum.weight;
     const double uu = sum.uu - sum.u * sum.u * share;
     const double uv = sum.uv - sum.u * sum.v * share;
     const double vv = sum.vv - sum.v * sum.v * share;

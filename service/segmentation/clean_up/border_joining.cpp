@@ -2,12 +2,35 @@
 #include "segmentation/clean_up/border_joining.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "segmentation/graph/edge_heuristics.hpp"
 
 namespace cleave::segmentation {
 namespace {
+
+// The numbers were fitted to labelled scenes; QUALITY.md says what each of the three rules is
+// worth.
+
+// Summed weight of edges; a convex one has 1. With less, a border has hardly a link to judge by.
+constexpr double min_link_weight = 0.9;
+// Utility of the whole border as a cut (equation 4.8): well below that from which cuts are made,
+// partition.utility_threshold, as a border along which a cut was found looks worse than it is.
+constexpr double max_utility_of_border = 0.3;
+
+// Touching voxels or cells. Two surfaces that only happen to touch do so along fewer.
+constexpr double min_convex_length = 8;
+// Of the length; noise in the normals makes the rest look concave.
+constexpr double min_convex_share = 0.8;
+// Mean step along the border, in graph.max_step_m. Patches on both sides of a convex crease are off
+// each other's planes by more than patches of one plane; more still, and one side lies behind.
+constexpr float max_steps_of_crease = 5;
+
+// Of the length. Where less of it links, other evidence parts the two.
+constexpr double min_linking_share = 0.5;
+// How many times more than inside a hollow may bend at the border: cuts run where it bends most.
+constexpr double sharper_at_a_cut = 2;
+// 1/m. What noise in the normals adds to a curvature: half a right angle over 4 cm.
+constexpr double noise_per_metre = 20;
 
 struct Bend {
   double bend, square;
@@ -64,43 +87,30 @@ void BorderJoiner::pool(const std::vector<SupervoxelEdge>& edges,
 }
 
 bool BorderJoiner::is_worth_no_cut(const Border& border) {
-  constexpr double some_links = 0.9;
-  constexpr double max_utility = 0.3;
-  return border.weight > some_links && border.cannot_links < max_utility * border.weight;
+  return border.weight > min_link_weight &&
+         border.cannot_links < max_utility_of_border * border.weight;
 }
 
 bool BorderJoiner::is_convex(const Border& border, const GraphOptions& graph) {
-  constexpr double some_length = 8;
-  constexpr double most = 0.8;
-  if (border.length <= some_length || border.convex <= most * border.length) return false;
-  return !(graph.max_step_m > 0) || border.step_m < 5 * graph.max_step_m * border.length;
+  if (border.length <= min_convex_length) return false;
+  if (border.convex <= min_convex_share * border.length) return false;
+  return !(graph.max_step_m > 0) ||
+         border.step_m < max_steps_of_crease * graph.max_step_m * border.length;
 }
 
 bool BorderJoiner::is_hollow(const Border& border, const Curvature& a, const Curvature& b) {
-  constexpr double half = 0.5;
-  constexpr double sharper_at_a_cut = 2;  // cuts run where a hollow bends most
-  constexpr double noise_per_metre = 20;  // half a right angle over 4 cm
   if (!a.known() || !b.known() || !(border.curved_length > 0)) return false;
   const double less_hollow = std::max(a.per_metre(), b.per_metre());
   const double across = border.curvature / border.curved_length;
-  return less_hollow < 0 && border.linking > half * border.length &&
+  return less_hollow < 0 && border.linking > min_linking_share * border.length &&
          across > sharper_at_a_cut * less_hollow - noise_per_metre;
-}
-
-std::uint32_t BorderJoiner::root(std::uint32_t segment) {
-  while (parent_[segment] != segment) {
-    parent_[segment] = parent_[parent_[segment]];
-    segment = parent_[segment];
-  }
-  return segment;
 }
 
 void BorderJoiner::join(const std::vector<SupervoxelEdge>& edges,
                         const std::vector<Surfel>& supervoxels, const GraphOptions& graph,
                         std::uint32_t segments, std::vector<std::uint32_t>& segment) {
   pool(edges, supervoxels, segments, segment);
-  parent_.resize(segments);
-  std::iota(parent_.begin(), parent_.end(), 0U);
+  joined_.reset(segments);
   for (std::size_t i = 0; i < border_.size(); ++i) {
     const std::uint64_t pair = ranking_.distinct_keys()[i];
     const auto low = static_cast<std::uint32_t>(pair >> 32);
@@ -110,11 +120,9 @@ void BorderJoiner::join(const std::vector<SupervoxelEdge>& edges,
         !is_hollow(border, inside_[low], inside_[high])) {
       continue;
     }
-    const std::uint32_t a = root(low);
-    const std::uint32_t b = root(high);
-    parent_[std::max(a, b)] = std::min(a, b);
+    joined_.join(low, high);
   }
-  for (std::uint32_t& s : segment) s = root(s);
+  for (std::uint32_t& s : segment) s = joined_.root(s);
 }
 
 }  // namespace cleave::segmentation

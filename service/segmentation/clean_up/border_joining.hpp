@@ -8,6 +8,7 @@
 #include "segmentation/graph/supervoxel_graph.hpp"
 #include "segmentation/graph/surfel.hpp"
 #include "segmentation/math/cell_ranking.hpp"
+#include "segmentation/math/union_find.hpp"
 #include "segmentation/options.hpp"
 
 namespace cleave::segmentation {
@@ -46,14 +47,13 @@ class BorderJoiner {
   [[nodiscard]] static bool is_worth_no_cut(const Border& border);
   [[nodiscard]] static bool is_convex(const Border& border, const GraphOptions& graph);
   [[nodiscard]] static bool is_hollow(const Border& border, const Curvature& a, const Curvature& b);
-  [[nodiscard]] std::uint32_t root(std::uint32_t segment);
 
   CellRanking ranking_;
   std::vector<std::uint64_t> pair_;  // of an edge between segments
   std::vector<std::uint32_t> edge_;
   std::vector<Border> border_;
   std::vector<Curvature> inside_;  // a segment
-  std::vector<std::uint32_t> parent_;
+  UnionFind joined_;               // segments
 };
 
 }  // namespace cleave::segmentation

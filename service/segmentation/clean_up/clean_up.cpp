@@ -8,8 +8,8 @@
 
 namespace cleave::segmentation {
 namespace {
-constexpr double weak_share = 0.5;
-constexpr std::uint32_t pair_factor = 4;
+constexpr double weak_share = 0.5;        // of a border's length that links: see the class
+constexpr std::uint32_t pair_factor = 4;  // times weak_border_points, of both of a pair
 }  // namespace
 
 void SmallSegmentMerger::list_edges_of_supervoxels(const std::vector<SupervoxelEdge>& edges,

@@ -3,18 +3,35 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "segmentation/math/portable_math.hpp"
 
 namespace cleave::segmentation {
 namespace {
 
-constexpr int steps_in_quarter_turn = 18;
+constexpr std::size_t steps_in_quarter_turn = 18;
 constexpr std::size_t max_tried_normals = 32;
 constexpr float min_cos_alike = 0.985F;  // 10 deg
 // Flat segments have no volume either way round; this thickness lets the area decide.
 constexpr float min_thickness_m = 0.001F;
+
+struct Direction {
+  float cosine = 1, sine = 0;
+};
+
+// A box that is turned by a quarter is the same box.
+constexpr auto directions = [] {
+  std::array<Direction, steps_in_quarter_turn> turned;
+  for (std::size_t step = 0; step < turned.size(); ++step) {
+    const double angle_rad = std::numbers::pi / 2 * static_cast<double>(step) /
+                             static_cast<double>(steps_in_quarter_turn);
+    turned[step] = {static_cast<float>(portable::cos(angle_rad)),
+                    static_cast<float>(portable::sin(angle_rad))};
+  }
+  return turned;
+}();
 
 struct Limits {
   float low = std::numeric_limits<float>::infinity();
@@ -43,30 +60,25 @@ struct Candidate {
 Candidate tightest_around(const Eigen::Vector3f& axis, std::span<const Surfel> surface) {
   const Eigen::Matrix3f frame = frame_around(axis);
   std::array<Limits, steps_in_quarter_turn> first, second;
-  std::array<Eigen::Vector2f, steps_in_quarter_turn> direction;
-  for (int step = 0; step < steps_in_quarter_turn; ++step) {
-    const float angle_rad = std::numbers::pi_v<float> / 2 * static_cast<float>(step) /
-                            static_cast<float>(steps_in_quarter_turn);
-    direction[static_cast<std::size_t>(step)] = {std::cos(angle_rad), std::sin(angle_rad)};
-  }
-
   Limits along;
   for (const Surfel& surfel : surface) {
     const Eigen::Vector3f p = frame.transpose() * surfel.position;
     along.include(p.z());
-    for (std::size_t step = 0; step < direction.size(); ++step) {
-      first[step].include(direction[step].x() * p.x() + direction[step].y() * p.y());
-      second[step].include(direction[step].x() * p.y() - direction[step].y() * p.x());
+    for (std::size_t step = 0; step < directions.size(); ++step) {
+      const auto& [cosine, sine] = directions[step];
+      first[step].include(cosine * p.x() + sine * p.y());
+      second[step].include(cosine * p.y() - sine * p.x());
     }
   }
 
   Candidate best;
-  for (std::size_t step = 0; step < direction.size(); ++step) {
+  for (std::size_t step = 0; step < directions.size(); ++step) {
     const float volume = along.extent() * first[step].extent() * second[step].extent();
     if (volume >= best.volume) continue;
+    const auto& [cosine, sine] = directions[step];
     best.volume = volume;
-    best.axes.col(0) = frame.col(0) * direction[step].x() + frame.col(1) * direction[step].y();
-    best.axes.col(1) = frame.col(1) * direction[step].x() - frame.col(0) * direction[step].y();
+    best.axes.col(0) = frame.col(0) * cosine + frame.col(1) * sine;
+    best.axes.col(1) = frame.col(1) * cosine - frame.col(0) * sine;
     best.axes.col(2) = frame.col(2);
   }
   return best;

@@ -18,9 +18,9 @@ PointRange range_of(const SegmentedPoints& points, const PointRun& run) {
   return {points.x + run.begin, points.y + run.begin, points.z + run.begin, run.end - run.begin};
 }
 
+// Not by computeDirect, which asks the C library for an arc tangent, a sine and a cosine.
 Eigen::Matrix3f principal_axes(const Moments& moments) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(moments.covariance());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.covariance());
   return solver.eigenvectors().cast<float>();
 }
 

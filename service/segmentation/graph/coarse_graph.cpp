@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 #include "segmentation/math/no_index.hpp"
 
@@ -18,31 +17,23 @@ bool is_smooth(const SupervoxelEdge& edge) {
 
 }  // namespace
 
-std::uint32_t GraphCoarsener::root(std::uint32_t supervoxel) {
-  while (parent_[supervoxel] != supervoxel) {
-    parent_[supervoxel] = parent_[parent_[supervoxel]];
-    supervoxel = parent_[supervoxel];
-  }
-  return supervoxel;
-}
-
 void GraphCoarsener::match(const std::vector<SupervoxelEdge>& edges) {
   std::fill(is_matched_.begin(), is_matched_.end(), std::uint8_t{0});
   for (const std::uint64_t key : smooth_) {
     const auto e = static_cast<std::uint32_t>(key);
-    const std::uint32_t a = root(edges[e].first);
-    const std::uint32_t b = root(edges[e].second);
+    const std::uint32_t a = joined_.root(edges[e].first);
+    const std::uint32_t b = joined_.root(edges[e].second);
     if (a == b || is_matched_[a] != 0 || is_matched_[b] != 0) continue;
-    parent_[std::max(a, b)] = std::min(a, b);
+    joined_.join(a, b);
     is_matched_[a] = is_matched_[b] = 1;
   }
 }
 
 std::uint32_t GraphCoarsener::number_vertices() {
   std::uint32_t count = 0;
-  vertex_.assign(parent_.size(), no_index);
-  for (std::uint32_t s = 0; s < parent_.size(); ++s) {
-    const std::uint32_t r = root(s);
+  vertex_.assign(joined_.size(), no_index);
+  for (std::uint32_t s = 0; s < joined_.size(); ++s) {
+    const std::uint32_t r = joined_.root(s);
     if (r == s) vertex_[s] = count++;
     vertex_[s] = vertex_[r];
   }
@@ -79,8 +70,7 @@ void GraphCoarsener::add_up_edges(const std::vector<SupervoxelEdge>& edges,
 std::uint32_t GraphCoarsener::coarsen(std::uint32_t supervoxels,
                                       const std::vector<SupervoxelEdge>& edges,
                                       std::uint32_t rounds) {
-  parent_.resize(supervoxels);
-  std::iota(parent_.begin(), parent_.end(), 0U);
+  joined_.reset(supervoxels);
   is_matched_.resize(supervoxels);
   smooth_.clear();
   for (std::uint32_t e = 0; e < edges.size(); ++e) {

@@ -9,6 +9,7 @@
 #include "segmentation/graph/subgraphs.hpp"
 #include "segmentation/graph/supervoxel_graph.hpp"
 #include "segmentation/math/cell_ranking.hpp"
+#include "segmentation/math/union_find.hpp"
 
 namespace cleave::segmentation {
 
@@ -30,11 +31,10 @@ class GraphCoarsener {
   void match(const std::vector<SupervoxelEdge>& edges);
   std::uint32_t number_vertices();
   void add_up_edges(const std::vector<SupervoxelEdge>& edges, std::uint32_t vertices);
-  std::uint32_t root(std::uint32_t supervoxel);
 
   CellRanking ranking_;
   std::vector<std::uint64_t> smooth_;     // how far it bends, and the edge; straightest first
-  std::vector<std::uint32_t> parent_;     // union-find; the lowest supervoxel is the root
+  UnionFind joined_;                      // supervoxels
   std::vector<std::uint8_t> is_matched_;  // in this round
   std::vector<std::uint32_t> vertex_;
   std::vector<std::uint64_t> key_;

@@ -14,7 +14,7 @@ void SubgraphStore::reset(std::uint32_t vertices, std::span<const CutEdge> edges
   std::iota(vertex_.begin(), vertex_.end(), 0U);
   edge_.assign(edges.begin(), edges.end());
   in_side_.assign(vertices, 0);
-  parent_.resize(vertices);
+  connected_.reset(vertices);
   component_.resize(vertices);
   orders_ = 0;
   split({0, vertices, 0, static_cast<std::uint32_t>(edges.size())}, {}, parts);
@@ -64,28 +64,14 @@ void SubgraphStore::drop_edges_across(const Subgraph& graph, std::uint32_t& edge
   edge_end = static_cast<std::uint32_t>(end - edge_.begin());
 }
 
-std::uint32_t SubgraphStore::root(std::uint32_t vertex) {
-  while (parent_[vertex] != vertex) {
-    parent_[vertex] = parent_[parent_[vertex]];
-    vertex = parent_[vertex];
-  }
-  return vertex;
-}
-
 // Numbers components in the order of their first vertices and appends ranges of the right sizes.
 void SubgraphStore::find_components(const Subgraph& graph, std::size_t first_part,
                                     std::vector<Subgraph>& parts) {
+  connected_.isolate(vertices(graph));
+  for (const std::uint32_t v : vertices(graph)) component_[v] = no_index;
+  for (const CutEdge& e : edges(graph)) connected_.join(e.first, e.second);
   for (const std::uint32_t v : vertices(graph)) {
-    parent_[v] = v;
-    component_[v] = no_index;
-  }
-  for (const CutEdge& e : edges(graph)) {
-    const std::uint32_t a = root(e.first);
-    const std::uint32_t b = root(e.second);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  for (const std::uint32_t v : vertices(graph)) {
-    std::uint32_t& number = component_[root(v)];
+    std::uint32_t& number = component_[connected_.root(v)];
     if (number == no_index) {
       number = static_cast<std::uint32_t>(parts.size() - first_part);
       parts.emplace_back();

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "segmentation/math/union_find.hpp"
+
 namespace cleave::segmentation {
 
 struct CutEdge {
@@ -49,7 +51,6 @@ class SubgraphStore {
   void drop_edges_across(const Subgraph& graph, std::uint32_t& edge_end);
   void find_components(const Subgraph& graph, std::size_t first_part, std::vector<Subgraph>& parts);
   void group_by_component(std::span<std::uint32_t> vertices, std::span<const Subgraph> parts);
-  std::uint32_t root(std::uint32_t vertex);
 
   struct Key {
     double value;
@@ -60,7 +61,7 @@ class SubgraphStore {
   std::size_t orders_ = 0;
   std::vector<std::uint32_t> order_;      // `orders_` more permutations, grouped like vertex_
   std::vector<std::uint8_t> in_side_;     // a vertex
-  std::vector<std::uint32_t> parent_;     // a vertex, union-find
+  UnionFind connected_;                   // vertices
   std::vector<std::uint32_t> component_;  // a vertex
   std::vector<std::uint32_t> fill_, vertex_scratch_;
   std::vector<CutEdge> edge_scratch_;

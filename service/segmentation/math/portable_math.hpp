@@ -35,14 +35,14 @@ inline constexpr auto inverse_factorials = [] {
 }();
 
 // Within 1e-13; |x| <= pi / 2.
-[[nodiscard]] inline double sin(double x) {
+[[nodiscard]] constexpr double sin(double x) {
   double sum = 0;
   for (std::size_t k = 17; k >= 3; k -= 2) sum = (inverse_factorials[k] - sum) * x * x;
   return x - x * sum;
 }
 
 // Within 1e-13; 0 <= x <= pi.
-[[nodiscard]] inline double cos(double x) {
+[[nodiscard]] constexpr double cos(double x) {
   return sin(std::numbers::pi / 2 - x);
 }
 

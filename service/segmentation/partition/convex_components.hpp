@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "segmentation/graph/supervoxel_graph.hpp"
+#include "segmentation/math/union_find.hpp"
 #include "segmentation/options.hpp"
 
 namespace cleave::segmentation {
@@ -22,9 +23,7 @@ class ConvexComponents {
                      const ConvexComponentsOptions& options, std::vector<std::uint32_t>& segment);
 
  private:
-  std::uint32_t root(std::uint32_t supervoxel);
-
-  std::vector<std::uint32_t> parent_;  // union-find; the lowest supervoxel is the root
+  UnionFind connected_;  // supervoxels
 };
 
 }  // namespace cleave::segmentation

@@ -5,6 +5,9 @@
 #include <array>
 
 namespace cleave::segmentation {
+namespace {
+constexpr std::uint32_t default_sweeps = 6;  // after them hardly a voxel changes hands
+}  // namespace
 
 void SupervoxelClusterer::plant_seeds(const std::vector<Surfel>& voxels) {
   owner_.assign(voxels.size(), unowned);
@@ -98,8 +101,9 @@ std::uint32_t SupervoxelClusterer::cluster(const std::vector<Surfel>& voxels,
   seed_selector_.select(voxels, options, seeds_);
   plant_seeds(voxels);
 
+  const std::uint32_t sweeps = options.sweeps > 0 ? options.sweeps : default_sweeps;
   Change change{.any = true, .grew = true};
-  for (std::uint32_t i = 0; change.any && (i < options.sweeps || change.grew); ++i) {
+  for (std::uint32_t i = 0; change.any && (i < sweeps || change.grew); ++i) {
     change = sweep(voxels, neighbours, distance);
     move_centres(voxels);
   }

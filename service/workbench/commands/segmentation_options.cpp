@@ -2,7 +2,9 @@
 #include "workbench/commands/segmentation_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
+#include "segmentation/option_checks.hpp"
 #include "workbench/cloud/option_setter.hpp"
 
 namespace cleave::workbench {
@@ -26,7 +28,10 @@ segmentation::Options options_of(const SegmentationArguments& arguments) {
   try {
     if (!arguments.algorithm.empty()) set_option(options, "algorithm=" + arguments.algorithm);
     for (const std::string& setting : arguments.settings) set_option(options, setting);
+    segmentation::check_options(options);
   } catch (const OptionError& error) {
+    throw UsageError(error.what());
+  } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
   return options;

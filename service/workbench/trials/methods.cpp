@@ -2,7 +2,9 @@
 #include "workbench/trials/methods.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "segmentation/option_checks.hpp"
 #include "segmentation/option_visitor.hpp"
 #include "segmentation/segmenter.hpp"
 #include "workbench/cloud/option_setter.hpp"
@@ -68,7 +70,11 @@ Method ours(const std::string& name, const std::string& algorithm, Options optio
 }  // namespace
 
 Method our_method(std::string name, const Options& options) {
-  (void)segmentation::Segmenter(options);  // refuses here what is out of its range
+  try {
+    segmentation::check_options(options);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(name + ": " + error.what());
+  }
   return {.name = std::move(name), .make_runner = [options](float grid_offset) {
             Options shifted = options;
             if (grid_offset > 0) shifted.voxel.grid_offset = grid_offset;

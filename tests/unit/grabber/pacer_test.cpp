@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sensor/grabber/backoff.hpp"
-
 namespace cleave::sensor {
 namespace {
 
@@ -43,18 +41,6 @@ TEST(Pacer, BeginsAnewAfterAPauseWithoutABurst) {
   pacer.advance(pacer_start);
   pacer.advance(pacer_start + milliseconds(5000));
   EXPECT_EQ(pacer.until_due(pacer_start + milliseconds(5000)), milliseconds(100));
-}
-
-TEST(Backoff, DoublesItsWaitUpToTwoSeconds) {
-  Backoff backoff;
-  auto now = pacer_start;
-  backoff.start(now);
-  for (const int wait_ms : {100, 200, 400, 800, 1600, 2000, 2000}) {
-    EXPECT_FALSE(backoff.due(now + milliseconds(wait_ms - 1)));
-    now += milliseconds(wait_ms);
-    EXPECT_TRUE(backoff.due(now));
-    backoff.failed(now);
-  }
 }
 
 }  // namespace

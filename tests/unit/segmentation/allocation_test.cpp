@@ -26,11 +26,11 @@ class AllocationsOf : public testing::TestWithParam<Representation> {
       }
     };
     segment_all();
-    const auto before = allocations_of_this_thread();
+    const auto before = workbench::allocations_of_this_thread();
 
     segment_all();
 
-    EXPECT_EQ(allocations_of_this_thread(), before);
+    EXPECT_EQ(workbench::allocations_of_this_thread(), before);
   }
 };
 

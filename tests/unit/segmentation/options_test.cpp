@@ -63,7 +63,7 @@ TEST(Options, OfTheThesisAndOursAreInRange) {
 TEST(Options, OutOfRangeAreRefusedByName) {
   for (const auto& [key, value] : {std::pair<std::string, double>{"voxel.size_m", 0},
                                    {"voxel.size_m", std::numeric_limits<double>::quiet_NaN()},
-                                   {"supervoxel.sweeps", 0},
+                                   {"supervoxel.sweeps", 101},
                                    {"graph.validity_max_rad", -1},
                                    {"partition.eigenvectors", 1e6}}) {
     try {
@@ -72,6 +72,20 @@ TEST(Options, OutOfRangeAreRefusedByName) {
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find(key), std::string::npos) << error.what();
     }
+  }
+}
+
+TEST(Options, ThatTheAlgorithmDoesNotReadAreRefusedWithThoseThatDo) {
+  Options options;
+  options.algorithm = Algorithm::convex_components;
+  options.partition.eigenvectors = 4;
+  try {
+    const Segmenter segmenter(options);
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "segmentation option partition.eigenvectors is 4, but algorithm convex-components "
+                 "does not read it: leave it out, or set algorithm to ssc or svc");
   }
 }
 

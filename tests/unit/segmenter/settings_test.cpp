@@ -50,6 +50,7 @@ TEST_F(SegmenterSettings, TakeOptionsOfEveryKindFromTheSectionSegmentation) {
   const DaemonSettings settings = settings_of(
       "segmentation:\n"
       "  algorithm: constrained-ssc\n"
+      "  representation: voxels\n"
       "  voxel: {size_m: 0.01, viewpoint: single, neighbourhood: 18}\n"
       "  supervoxel: {sweeps: 3}\n"
       "  refine: {boundary: false}\n");
@@ -73,6 +74,23 @@ TEST_F(SegmenterSettings, RefuseAnOptionOutOfItsRange) {
 
   EXPECT_NE(message.find("segmentation.voxel.size_m: expected a number from"), std::string::npos)
       << message;
+}
+
+TEST_F(SegmenterSettings, RefuseAnOptionThatTheAlgorithmDoesNotReadWithItsLine) {
+  const std::string message =
+      refusal("segmentation:\n  algorithm: svc\n  graph:\n    max_step_m: 0.01\n");
+
+  EXPECT_NE(message.find("file:4: segmentation.graph.max_step_m: expected no value, as algorithm "
+                         "svc does not read it (or set algorithm to ssc"),
+            std::string::npos)
+      << message;
+}
+
+TEST_F(SegmenterSettings, RefuseAnOptionOfVoxelsWhereImagesBecomeCells) {
+  const std::string message = refusal("segmentation:\n  voxel: {neighbourhood: 18}\n");
+
+  EXPECT_NE(message.find("file:2: segmentation.voxel.neighbourhood"), std::string::npos) << message;
+  EXPECT_NE(message.find("set representation to voxels"), std::string::npos) << message;
 }
 
 TEST_F(SegmenterSettings, PreferArgumentsToTheFile) {

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <sstream>
+#include <string>
+
 namespace cleave::workbench {
 namespace {
 
@@ -35,18 +39,49 @@ TEST(OptionSetter, NamesTheKnownKeysForAnUnknownOne) {
   EXPECT_NE(refusal.find("describe.plane_distance_m"), std::string::npos);
 }
 
-TEST(OptionSetter, SaysWhatItExpected) {
-  for (const char* assignment : {"voxel.size_m=fast", "voxel.size_m=-1", "voxel.size_m=nan",
-                                 "voxel.size_m=", "clean_up.min_segment_points=1.5",
-                                 "refine.boundary=maybe", "algorithm=magic"}) {
-    EXPECT_NE(refusal_of(assignment).find("expected"), std::string::npos) << assignment;
-  }
-  EXPECT_NE(refusal_of("voxel.size_m").find("KEY=VALUE"), std::string::npos);
+TEST(OptionSetter, SaysWhatItExpectedAndWhatItFound) {
+  const std::string size = "voxel.size_m: expected a number from 0.0005 to 1, found ";
+  EXPECT_EQ(refusal_of("voxel.size_m=fast"), size + "'fast'");
+  EXPECT_EQ(refusal_of("voxel.size_m=-1"), size + "'-1'");
+  EXPECT_EQ(refusal_of("voxel.size_m=nan"), size + "'nan'");
+  EXPECT_EQ(refusal_of("voxel.size_m="), size + "''");
+  EXPECT_EQ(refusal_of("voxel.size_m=1.0001"), size + "'1.0001'");
+  EXPECT_EQ(refusal_of("clean_up.min_segment_points=1.5"),
+            "clean_up.min_segment_points: expected a whole number from 0 to 1000000, found '1.5'");
+  EXPECT_EQ(refusal_of("refine.boundary=maybe"),
+            "refine.boundary: expected true or false, found 'maybe'");
+  EXPECT_EQ(refusal_of("algorithm=magic"),
+            "algorithm: expected one of ssc, constrained-ssc, svc, convex-components, found "
+            "'magic'");
+  EXPECT_EQ(refusal_of("voxel.size_m"),
+            "expected KEY=VALUE, e.g. voxel.size_m=0.005, found 'voxel.size_m'");
 }
 
-TEST(OptionSetter, ListsEveryOptionWithItsDefault) {
-  EXPECT_NE(list_options().find("supervoxel.seed_spacing_m"), std::string::npos);
-  EXPECT_NE(list_options().find("0.025"), std::string::npos);
+TEST(OptionSetter, LeavesTheOptionsAsTheyWereWhenItRefuses) {
+  segmentation::Options options;
+  EXPECT_THROW(set_option(options, "voxel.size_m=2"), OptionError);
+  EXPECT_EQ(options.voxel.size_m, segmentation::Options().voxel.size_m);
+}
+
+TEST(OptionSetter, ListsEveryOptionOnALineWithItsDefaultAndRange) {
+  std::istringstream lines(list_options());
+  std::map<std::string, std::string> line_of;
+  for (std::string line; std::getline(lines, line);) {
+    line_of[line.substr(0, line.find(' '))] = line;
+  }
+  EXPECT_NE(line_of["supervoxel.seed_spacing_m"].find("0.025  0.002 to 10"), std::string::npos);
+  EXPECT_NE(line_of["refine.boundary"].find("true  true, false"), std::string::npos);
+  EXPECT_NE(line_of["representation"].find("cells  cells, voxels"), std::string::npos);
+
+  // Each can be set to the default that its line names.
+  for (const auto& [name, line] : line_of) {
+    if (name == "option") continue;
+    std::istringstream words(line);
+    std::string value;
+    words >> value >> value;
+    EXPECT_EQ(refusal_of(name + "=" + value), "") << line;
+  }
+  EXPECT_EQ(line_of.size(), 41U) << "40 options and the heading";
 }
 
 }  // namespace

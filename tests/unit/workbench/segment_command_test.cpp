@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "console/json.hpp"
@@ -136,6 +137,23 @@ TEST(SegmentCommand, RefusesAnOptionThatDoesNotExistAsWrongUsage) {
   const auto input = folder.file("in.pcd", plane());
   EXPECT_THROW((void)run_segment({input, folder.path() / "out.pcd", "--set", "speed=9"}),
                UsageError);
+}
+
+TEST(SegmentCommand, RefusesAnOptionThatWouldBeIgnoredAsWrongUsageUnlessItComesWithThePreset) {
+  const tests::TemporaryFolder folder;
+  const auto input = folder.file("in.pcd", plane());
+  const auto output = folder.path() / "out.pcd";
+  EXPECT_THROW(
+      (void)run_segment({input, output, "--algorithm", "svc", "--set", "graph.max_step_m=0.01"}),
+      UsageError);
+  EXPECT_THROW((void)run_segment({input, output, "--set", "voxel.neighbourhood=18"}), UsageError);
+  EXPECT_FALSE(std::filesystem::exists(output));
+
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_segment({input, output, "--thesis", "--algorithm", "svc", "--set",
+                         "voxel.neighbourhood=26"}),
+            exit_done);
+  (void)testing::internal::GetCapturedStdout();
 }
 
 }  // namespace

@@ -155,6 +155,19 @@ TEST(CellLinks, FollowDepthAndPlanes) {
   }
 }
 
+TEST(CellClusterer, SweepsThreeTimesUnlessItIsToldHowOften) {
+  const Cells cells(6);
+  const auto owners_after = [&](std::uint32_t sweeps) {
+    std::vector<std::uint32_t> owner;
+    (void)CellClusterer().cluster(cells.image, {.sweeps = sweeps}, owner);
+    return owner;
+  };
+
+  EXPECT_EQ(owners_after(0), owners_after(3));
+  EXPECT_NE(owners_after(2), owners_after(3));
+  EXPECT_NE(owners_after(4), owners_after(3));
+}
+
 TEST(CellFragmentMender, GivesEveryOccupiedCellAConnectedSupervoxel) {
   const Cells cells(7);
   std::set<std::size_t> reached;
@@ -177,11 +190,15 @@ TEST(CellFragmentMender, GivesEveryOccupiedCellAConnectedSupervoxel) {
   EXPECT_EQ(seen.size(), cells.supervoxels);
 }
 
-TEST(CellSupervoxelFitter, RegressesOnAllCellsOfASupervoxel) {
+class CellSupervoxelFit : public testing::TestWithParam<bool> {};
+
+TEST_P(CellSupervoxelFit, RegressesOnAllCellsOfASupervoxelByTheirPointsOrOnceEach) {
+  const bool from_points = GetParam();
   const Cells cells(8);
   Supervoxels supervoxels;
 
-  CellSupervoxelFitter().fit(cells.image, cells.supervoxel, cells.supervoxels, supervoxels);
+  CellSupervoxelFitter().fit(cells.image, cells.supervoxel, cells.supervoxels, from_points,
+                             supervoxels);
 
   std::map<std::uint32_t, std::vector<std::size_t>> members;
   for (const std::size_t i : cells.occupied) members[cells.supervoxel[i]].push_back(i);
@@ -193,7 +210,7 @@ TEST(CellSupervoxelFitter, RegressesOnAllCellsOfASupervoxel) {
     double points = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
       const std::size_t i = of[static_cast<std::size_t>(k)];
-      const double weight = std::sqrt(double{cells.image.points[i]});
+      const double weight = from_points ? std::sqrt(double{cells.image.points[i]}) : 1;
       rows.row(k) = weight * cells.ray(i).transpose();
       values[k] = weight * double{cells.image.inverse_depth[i]};
       points += double{cells.image.points[i]};
@@ -203,6 +220,8 @@ TEST(CellSupervoxelFitter, RegressesOnAllCellsOfASupervoxel) {
     EXPECT_EQ(supervoxels.point_count[s], points);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(FromPointsOrCells, CellSupervoxelFit, testing::Bool());
 
 TEST(CellAdjacencyFinder, FindsWhatBruteForceFinds) {
   const Cells cells(9);

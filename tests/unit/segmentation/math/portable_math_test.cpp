@@ -24,6 +24,17 @@ TEST(PortableMath, AgreesWithTheLibrary) {
   }
 }
 
+TEST(PortableMath, TurnsByStepsOfFiveDegreesAsTheLibraryDoes) {
+  for (int degrees = 0; degrees < 90; degrees += 5) {
+    const double angle_rad = std::numbers::pi / 180 * degrees;
+    EXPECT_FLOAT_EQ(static_cast<float>(portable::sin(angle_rad)),
+                    static_cast<float>(std::sin(angle_rad)));
+    EXPECT_FLOAT_EQ(static_cast<float>(portable::cos(angle_rad)),
+                    static_cast<float>(std::cos(angle_rad)));
+  }
+  static_assert(static_cast<float>(portable::cos(0)) == 1, "known to the compiler, and no turn");
+}
+
 TEST(PortableMath, HasNoEndInItsExponents) {
   EXPECT_GT(portable::exp(1e9), 1e300);
   EXPECT_LT(portable::exp(-1e9), 1e-300);

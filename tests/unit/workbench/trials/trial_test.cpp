@@ -121,5 +121,19 @@ TEST(Method, ThatIsNotKnownIsRefusedWithThoseThatAre) {
   EXPECT_THROW((void)method_named("ssc", {"voxel.colour=red"}), OptionError);
 }
 
+TEST(Method, IsRefusedWithASettingThatItWouldIgnore) {
+  try {
+    (void)method_named("convex-components", {"partition.eigenvectors=4"});
+    FAIL() << "nothing is cut";
+  } catch (const OptionError& error) {
+    const std::string what = error.what();
+    EXPECT_TRUE(what.starts_with("convex-components: ")) << what;
+    EXPECT_NE(what.find("partition.eigenvectors"), std::string::npos) << what;
+  }
+  for (const char* const name : {"svc", "thesis-svc", "thesis-convex-components"}) {
+    EXPECT_EQ(method_named(name, {"voxel.size_m=0.01"}).name, name);
+  }
+}
+
 }  // namespace
 }  // namespace cleave::workbench
