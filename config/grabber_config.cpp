@@ -2,6 +2,7 @@
 #include "config/grabber_config.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "idl/capacity.hpp"
 
@@ -17,7 +18,8 @@ VideoConfig read_video_config(Section& file, std::uint32_t decimate) {
   section.integer("width", config.width, 16, 4096);
   section.integer("height", config.height, 16, 4096);
   if (config.width / decimate * (config.height / decimate) > capacity_points) {
-    section.refuse("height", "at most 307200 (640 x 480) pixels in all, once decimated");
+    section.refuse("height", "at most " + std::to_string(capacity_points) + " (" + capacity_text() +
+                                 ") pixels in all, once decimated");
   }
   section.boolean("registration", config.registration);
   section.boolean("mirror", config.mirror);

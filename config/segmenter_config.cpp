@@ -8,8 +8,6 @@
 namespace cleave::config {
 namespace {
 
-constexpr std::uint32_t max_workers = 6;  // each holds a loan of the label map writer, which has 8
-
 void check_sensors(const Section& file, const std::vector<std::string>& sensors) {
   if (sensors.empty()) file.refuse("sensors", "at least one sensor");
   for (std::size_t i = 0; i < sensors.size(); ++i) {

@@ -12,9 +12,13 @@
 
 namespace cleave::config {
 
+// Workers of a sensor. Each holds a loan of the label maps' writer, which has 8: more would leave
+// none for a frame that waits for a slower one before it.
+inline constexpr std::uint32_t max_workers = 6;
+
 struct SegmenterConfig {
   std::vector<std::string> sensors = {"camera"};  // whose clouds are segmented, each name once
-  std::uint32_t workers = 0;  // 1 to 6 frames of a sensor at a time; 0 = cores less one
+  std::uint32_t workers = 0;  // 1 to max_workers frames of a sensor at a time; 0 = cores less one
   std::uint32_t queue = 2;    // 1 to 8 frames that may wait for a worker
   Mode mode = Mode::live;
   bool check_unit = true;  // reject clouds that seem to be in millimetres
@@ -29,7 +33,7 @@ struct SegmenterConfig {
 // Throws ConfigurationError.
 [[nodiscard]] SegmenterConfig read_segmenter_config(Section& file);
 
-// Workers to start: `workers`, or where that is 0 one less than `cores`, within 1 to 6.
+// Workers to start: `workers`, or where that is 0 one less than `cores`, within 1 to max_workers.
 [[nodiscard]] std::uint32_t worker_count(const SegmenterConfig& config, std::uint32_t cores);
 
 }  // namespace cleave::config

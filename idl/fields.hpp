@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fields of the contract's types, each list once. Bytes, JSON, conversions: whatever goes
 // through a type visits its list, so that a new field is a line in the IDL, a member of each struct
-// that mirrors the type, and a line here. tests/house/fields holds the lists against the IDL.
+// that mirrors the type, and a line here. tests/unit/idl holds the lists against the IDL.
 //
 // A list is called with a visitor and one struct or several that mirror the type, member by member
 // of the same names. It visits the fields in the IDL's order:

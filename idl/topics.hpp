@@ -28,6 +28,14 @@ inline std::string segments_topic(std::string_view sensor) {
 }
 inline constexpr std::string_view status_topic = "cleave/status";
 
+// What the nodes of a sensor call themselves in their statuses.
+inline std::string grabber_node(std::string_view sensor) {
+  return "grabber/" + std::string(sensor);
+}
+inline std::string segmenter_node(std::string_view sensor) {
+  return "segmenter/" + std::string(sensor);
+}
+
 // A sensor's name is part of topic names: 1 to 63 letters, digits or '_' (DDS allows no others).
 inline bool is_valid_sensor_name(std::string_view name) {
   const auto allowed = [](char c) {

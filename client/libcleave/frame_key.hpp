@@ -12,4 +12,10 @@ struct FrameKey {
   bool operator==(const FrameKey&) const = default;
 };
 
+// Of the contract's FrameHeader, or of a struct that mirrors it.
+template <class Header>
+[[nodiscard]] FrameKey key_of(const Header& header) {
+  return {header.epoch, header.frame_id};
+}
+
 }  // namespace cleave

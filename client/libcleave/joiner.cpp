@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/joiner.hpp"
 
+#include "libcleave/frame_key.hpp"
+
 namespace cleave {
 namespace {
-
-bool same_frame(const FrameHeader& a, const FrameHeader& b) {
-  return a.epoch == b.epoch && a.frame_id == b.frame_id;
-}
 
 // The partner of `frame`, taken out of `waiting` together with everything before it.
 template <class T>
 std::optional<Sample<T>> take_partner(std::deque<Sample<T>>& waiting, const FrameHeader& frame,
                                       std::uint64_t& given_up) {
   std::size_t i = 0;
-  while (i < waiting.size() && !same_frame(waiting[i]->header, frame)) ++i;
+  while (i < waiting.size() && key_of(waiting[i]->header) != key_of(frame)) ++i;
   if (i == waiting.size()) return std::nullopt;
   Sample<T> partner = std::move(waiting[i]);
   waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(i) + 1);

@@ -12,10 +12,6 @@ namespace {
 // Lists may come in bursts while this process sleeps; one that is overwritten costs a resend.
 constexpr ReaderDepth list_depth{16};
 
-FrameKey key_of(const FrameHeader& header) {
-  return {header.epoch, header.frame_id};
-}
-
 // False: not now.
 bool publish_again(const KeptFrame& frame, Writer<DepthCloud>& writer) {
   std::optional<Loan<DepthCloud>> cloud = writer.loan();

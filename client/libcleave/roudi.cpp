@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/roudi.hpp"
 
+#include <spdlog/spdlog.h>
 #include <sys/stat.h>
+
+#include <utility>
 
 #include "libcleave/internal/roudi_access.hpp"
 
 namespace cleave {
 namespace {
 
-// Tells one RouDi's socket file from the next one's; 0 if there is none.
-std::uint64_t socket_identity() {
+constexpr std::chrono::seconds look_interval(1);
+constexpr char gone[] =
+    "RouDi is gone: who is connected goes on, nobody new can join; start it again";
+
+// Tells one RouDi's socket file from the next one's, whatever became of its name and its rights; 0
+// if there is none.
+std::uint64_t identity_of(const std::filesystem::path& socket) {
   struct stat status {};
-  if (::stat(RouDiPlace{}.socket.c_str(), &status) != 0) return 0;
-  const auto seconds = static_cast<std::uint64_t>(status.st_ctim.tv_sec);
-  const auto nanoseconds = static_cast<std::uint64_t>(status.st_ctim.tv_nsec);
+  if (::stat(socket.c_str(), &status) != 0) return 0;
+  const auto seconds = static_cast<std::uint64_t>(status.st_mtim.tv_sec);
+  const auto nanoseconds = static_cast<std::uint64_t>(status.st_mtim.tv_nsec);
   return (status.st_ino << 32U) ^ (seconds * 1'000'000'000U + nanoseconds);
 }
 
@@ -23,11 +31,29 @@ bool roudi_answers() {
   return connection_error(RouDiPlace{}.socket) == 0;
 }
 
-RouDiWatch::RouDiWatch() : identity_(socket_identity()) {}
+RouDiWatch::RouDiWatch(Transport in_force) : RouDiWatch(in_force, RouDiPlace{}.socket) {}
 
-RouDiState RouDiWatch::check() {
-  if (!roudi_answers()) return RouDiState::gone;
-  return socket_identity() == identity_ ? RouDiState::present : RouDiState::replaced;
+RouDiWatch::RouDiWatch(Transport in_force, std::filesystem::path socket)
+    : socket_(in_force == Transport::shared_memory ? std::move(socket) : ""),
+      identity_(identity_of(socket_)) {}
+
+bool RouDiWatch::update(Clock::time_point now) {
+  if (socket_.empty() || replaced_ || now < next_look_) return false;
+  next_look_ = now + look_interval;
+  const bool answers = connection_error(socket_) == 0;
+  if (answers && identity_of(socket_) != identity_) {
+    spdlog::warn("another RouDi runs: only a restart joins it");
+    replaced_ = true;
+    return false;
+  }
+  if (answers == error_.empty()) return false;
+  error_ = answers ? "" : gone;
+  if (answers) {
+    spdlog::info("RouDi is back");
+  } else {
+    spdlog::warn("{}", error_);
+  }
+  return true;
 }
 
 }  // namespace cleave

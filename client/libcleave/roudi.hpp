@@ -2,7 +2,12 @@
 // Is iceoryx's RouDi there, is it still the one that this process joined?
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "libcleave/stream.hpp"
 
 namespace cleave {
 
@@ -10,20 +15,33 @@ namespace cleave {
 // a minute and then aborts the process, so ask first.
 [[nodiscard]] bool roudi_answers();
 
-enum class RouDiState {
-  present,  // the one that was there when the watch began
-  gone,     // what is connected keeps flowing; nobody new can join
-  replaced  // another one runs: this process is cut off from all that joined it, and must restart
-};
-
-// Remembers the RouDi of its construction.
+// Looks after the RouDi that a node joined, once a second, and logs what it sees.
 class RouDiWatch {
  public:
-  RouDiWatch();
-  [[nodiscard]] RouDiState check();
+  using Clock = std::chrono::steady_clock;
+
+  // Remembers the RouDi that is there now. Where the network carries the clouds none was joined:
+  // then all is always well.
+  explicit RouDiWatch(Transport in_force);
+  // With a RouDi elsewhere, for tests.
+  RouDiWatch(Transport in_force, std::filesystem::path socket);
+
+  // Call several times a second. True: the error came or went.
+  bool update(Clock::time_point now);
+
+  // What a node's status tells while RouDi is gone: what is connected keeps flowing, nobody new can
+  // join. Empty while it is there.
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+  // Another RouDi runs: this process is cut off from all that joined it, and must restart.
+  [[nodiscard]] bool replaced() const { return replaced_; }
 
  private:
-  std::uint64_t identity_;  // of RouDi's socket file
+  std::filesystem::path socket_;  // empty: nothing to look after
+  std::uint64_t identity_;        // of the socket's file
+  Clock::time_point next_look_{};
+  std::string error_;
+  bool replaced_ = false;
 };
 
 }  // namespace cleave

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/status.hpp"
 
+#include <unistd.h>
+
 #include <array>
 #include <ctime>
 #include <list>
+#include <utility>
 #include <vector>
 
+#include "idl/copy_fields.hpp"
 #include "idl/fields.hpp"
 #include "libcleave/sequence.hpp"
 
@@ -14,15 +18,7 @@ namespace {
 
 using Counts = std::map<std::string, std::uint64_t>;
 
-struct FromStream {
-  template <class Number>
-  void number(const char* /*name*/, const Number& from, Number& to) {
-    to = from;
-  }
-  template <class From, class To>
-  void choice(const char* /*name*/, const From& from, To& to) {
-    to = static_cast<To>(from);
-  }
+struct FromStream : fields::Copy<FromStream> {
   void text(const char* /*name*/, const char* from, std::string& to) { to = from; }
   template <class List, class From>
   void each(const char* /*name*/, const List& /*list*/, const From& from, Counts& to) {
@@ -31,16 +27,8 @@ struct FromStream {
 };
 
 // Lends texts and counts: both this and what it came from must outlive the message.
-class ToStream {
+class ToStream : public fields::Copy<ToStream> {
  public:
-  template <class Number>
-  void number(const char* /*name*/, const Number& from, Number& to) {
-    to = from;
-  }
-  template <class From, class To>
-  void choice(const char* /*name*/, const From& from, To& to) {
-    to = static_cast<To>(from);
-  }
   void text(const char* /*name*/, const std::string& from, char*& to) { to = text_of(from); }
   template <class List, class To>
   void each(const char* /*name*/, const List& /*list*/, const Counts& from, To& to) {
@@ -71,6 +59,17 @@ const char* to_string(Transport transport) {
 NodeReport report_of(const NodeStatus& status) {
   NodeReport report;
   fields::node_status(FromStream{}, status, report);
+  return report;
+}
+
+NodeReport first_report(const Stream& stream, std::string node, std::string sensor) {
+  NodeReport report;
+  report.node = std::move(node);
+  report.version = CLEAVE_VERSION;
+  report.sensor = std::move(sensor);
+  report.process_id = static_cast<std::uint32_t>(::getpid());
+  report.transport_in_force = stream.transport();
+  report.transport_reason = stream.transport_reason();
   return report;
 }
 

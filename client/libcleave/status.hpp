@@ -18,7 +18,7 @@ enum class NodeState { starting, running, source_lost, ended, stopping };
 
 // The members of the contract's NodeStatus, as idl/fields.hpp visits them.
 struct NodeReport {
-  std::string node;  // "grabber/<sensor>" or "segmenter/<sensor>"
+  std::string node;  // grabber_node() or segmenter_node(), in idl/topics.hpp
   std::string version;
   std::string sensor;
   std::uint32_t process_id = 0;
@@ -43,6 +43,9 @@ struct NodeReport {
 };
 
 [[nodiscard]] NodeReport report_of(const NodeStatus& status);
+
+// What a node of this process says of itself before it has counted anything.
+[[nodiscard]] NodeReport first_report(const Stream& stream, std::string node, std::string sensor);
 
 // Of this process, user and system, since its start.
 [[nodiscard]] double cpu_time_s();

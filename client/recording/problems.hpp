@@ -24,6 +24,11 @@ class Problems {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+  // Those of another, and then these.
+  [[nodiscard]] std::vector<std::string> texts_after(std::vector<std::string> others) const {
+    others.insert(others.end(), texts_.begin(), texts_.end());
+    return others;
+  }
 
  private:
   // A file that is damaged all over must not fill the memory with it.

@@ -55,10 +55,7 @@ Grabber::~Grabber() {
 Ending Grabber::run() {
   if (!link_.start()) return Ending::failed;
   while (!shutdown_.requested() && !ended() && !supervisor_.roudi_replaced()) step();
-  if (supervisor_.roudi_replaced()) {
-    spdlog::warn("another RouDi runs: restarting in place to join it");
-    return Ending::roudi_replaced;
-  }
+  if (supervisor_.roudi_replaced()) return Ending::roudi_replaced;
   if (ended()) linger(flow_ ? no_limit : live_linger);
   if (shutdown_.requested()) {
     supervisor_.set_state(NodeState::stopping);

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "libcleave/roudi.hpp"
@@ -13,8 +12,7 @@
 
 namespace cleave::sensor {
 
-// Publishes the status every half second and at once when the state or the error changes; looks
-// after RouDi once a second.
+// Publishes the status every half second and at once when the state or the error changes.
 class Supervisor {
  public:
   using Clock = std::chrono::steady_clock;
@@ -33,20 +31,15 @@ class Supervisor {
   // Publishes the status now.
   void publish();
   // Another RouDi than the one that this process joined runs: only a restart joins it.
-  [[nodiscard]] bool roudi_replaced() const { return roudi_replaced_; }
+  [[nodiscard]] bool roudi_replaced() const { return roudi_.replaced(); }
 
  private:
-  void check_roudi();
-
   StatusPublisher publisher_;
   Fill fill_;
   NodeReport report_;
   std::string source_error_;
-  std::string roudi_error_;
-  std::optional<RouDiWatch> roudi_;  // only where shared memory is in force
-  bool roudi_replaced_ = false;
+  RouDiWatch roudi_;
   Clock::time_point next_status_{};
-  Clock::time_point next_check_{};
 };
 
 }  // namespace cleave::sensor

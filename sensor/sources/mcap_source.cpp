@@ -63,7 +63,7 @@ Failure McapSource::open() {
     note_losses();
     reader_ = std::make_unique<ReadAhead>(std::move(input), loop_);
     AheadFrame first;
-    if (read(first_frame_patience, first) == ReadAhead::Result::frame) {
+    if (read(first_frame_patience, first) == ReadAhead::Result::item) {
       sensor_ = first.frame.header().sensor;
       if (!unit_) recording::make_metres(points_of(first), unit_, path_.string());
       next_ = std::move(first);
@@ -84,7 +84,7 @@ Failure McapSource::open() {
 ReadAhead::Result McapSource::read(std::chrono::milliseconds timeout, AheadFrame& ahead) {
   while (true) {
     const ReadAhead::Result result = reader_->next(timeout, ahead);
-    if (result != ReadAhead::Result::frame) return result;
+    if (result != ReadAhead::Result::item) return result;
     const recording::FrameHeader& header = ahead.frame.header();
     if (!sensor_.empty() && header.sensor != sensor_) continue;
     if (header.points() <= max_points_) return result;

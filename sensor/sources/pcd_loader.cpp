@@ -19,27 +19,8 @@ PcdLoader::PcdLoader(std::vector<std::filesystem::path> files, bool loop,
 }
 
 PcdLoader::~PcdLoader() {
-  {
-    const std::lock_guard lock(mutex_);
-    stop_ = true;
-  }
-  changed_.notify_all();
+  ready_.stop();
   thread_.join();
-}
-
-PcdLoader::Result PcdLoader::next(std::chrono::milliseconds timeout, LoadedCloud& loaded) {
-  std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, timeout, [this] { return ready_ || ended_; });
-  if (!ready_) return ended_ ? Result::end : Result::timeout;
-  loaded = *std::exchange(ready_, std::nullopt);
-  changed_.notify_all();
-  return Result::cloud;
-}
-
-bool PcdLoader::wait_for_first() {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return ready_ || ended_; });
-  return ready_.has_value();
 }
 
 std::map<std::string, std::uint64_t> PcdLoader::unusable() const {
@@ -50,9 +31,7 @@ std::map<std::string, std::uint64_t> PcdLoader::unusable() const {
 void PcdLoader::run() {
   bool usable = pass(true) > 0;
   while (loop_ && usable) usable = pass(false) > 0;
-  const std::lock_guard lock(mutex_);
-  ended_ = true;
-  changed_.notify_all();
+  ready_.end();
 }
 
 std::size_t PcdLoader::pass(bool is_first) {
@@ -63,7 +42,7 @@ std::size_t PcdLoader::pass(bool is_first) {
       file = files_.erase(file);
       continue;
     }
-    if (!hand_over({std::move(cloud), !is_first && handed_over == 0})) return 0;
+    if (!ready_.put({std::move(cloud), !is_first && handed_over == 0})) return 0;
     ++handed_over;
     ++file;
   }
@@ -86,32 +65,13 @@ std::shared_ptr<const StreamCloud> PcdLoader::load(File& file) {
   } catch (const recording::WrongUnit& error) {
     return skip(error.what(), "wrong unit");
   }
-  note_origin(file, *cloud);
+  if (const auto remark = origins_.of(file.path, *cloud)) spdlog::warn("{}", *remark);
   const std::size_t bytes = cloud->xyz.size() * sizeof(float);
   if (bytes <= cache_left_bytes_) {
     cache_left_bytes_ -= bytes;
     file.cached = cloud;
   }
   return cloud;
-}
-
-void PcdLoader::note_origin(const File& file, const StreamCloud& cloud) {
-  const auto& [x, y, z] = cloud.origin;
-  if (has_noted_origin_ || (x == 0 && y == 0 && z == 0)) return;
-  has_noted_origin_ = true;
-  spdlog::warn(
-      "{}: its points are too far from zero for the stream's floats; they are published relative "
-      "to {} {} {}, and those of further such files relative to a place near their own middle",
-      file.path.string(), x, y, z);
-}
-
-bool PcdLoader::hand_over(LoadedCloud loaded) {
-  std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !ready_ || stop_; });
-  if (stop_) return false;
-  ready_ = std::move(loaded);
-  changed_.notify_all();
-  return true;
 }
 
 }  // namespace cleave::sensor

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -13,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "recording/ahead_queue.hpp"
+#include "recording/pcd/origin_remark.hpp"
 #include "recording/pcd/stream_cloud.hpp"
 #include "recording/units/unit.hpp"
 #include "sensor/sources/source.hpp"
@@ -40,10 +41,12 @@ class PcdLoader {
   PcdLoader(const PcdLoader&) = delete;
   PcdLoader& operator=(const PcdLoader&) = delete;
 
-  enum class Result { cloud, timeout, end };
-  [[nodiscard]] Result next(std::chrono::milliseconds timeout, LoadedCloud& loaded);
+  using Result = recording::AheadQueue<LoadedCloud>::Result;
+  [[nodiscard]] Result next(std::chrono::milliseconds timeout, LoadedCloud& loaded) {
+    return ready_.take(timeout, loaded);
+  }
   // Waits until the first cloud is there; false if no file is usable.
-  [[nodiscard]] bool wait_for_first();
+  [[nodiscard]] bool wait_for_first() { return ready_.wait_for_one(); }
   [[nodiscard]] std::map<std::string, std::uint64_t> unusable() const;
 
  private:
@@ -54,21 +57,16 @@ class PcdLoader {
   void run();
   std::size_t pass(bool is_first);  // clouds handed over
   std::shared_ptr<const StreamCloud> load(File& file);
-  void note_origin(const File& file, const StreamCloud& cloud);
-  bool hand_over(LoadedCloud loaded);  // false: asked to stop
 
   bool loop_;
   std::optional<recording::Unit> unit_;
   std::uint64_t max_points_;
   std::size_t cache_left_bytes_;
-  std::vector<File> files_;        // of the thread
-  bool has_noted_origin_ = false;  // of the thread
+  std::vector<File> files_;          // of the thread
+  recording::OriginRemark origins_;  // of the thread
+  recording::AheadQueue<LoadedCloud> ready_{1};
 
-  mutable std::mutex mutex_;  // guards all below but the thread
-  std::condition_variable changed_;
-  std::optional<LoadedCloud> ready_;
-  bool ended_ = false;
-  bool stop_ = false;
+  mutable std::mutex mutex_;  // guards the counts
   std::map<std::string, std::uint64_t> unusable_;
   std::thread thread_;  // last: it uses all of the above
 };

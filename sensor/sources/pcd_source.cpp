@@ -45,7 +45,7 @@ Poll PcdSource::next(std::chrono::milliseconds timeout, Frame& frame) {
       return Poll::timeout;
     case PcdLoader::Result::end:
       return Poll::end;
-    case PcdLoader::Result::cloud:
+    case PcdLoader::Result::item:
       break;
   }
   held_ = std::move(loaded.cloud);

@@ -5,25 +5,14 @@
 
 #include <Eigen/Geometry>
 
+#include "idl/copy_fields.hpp"
 #include "idl/fields.hpp"
 #include "segmentation/segmentation.hpp"
 
 namespace cleave::service {
 
-struct CopySegmentFields {
-  template <class Number>
-  void number(const char* /*name*/, const Number& from, Number& to) {
-    to = from;
-  }
-  // The contract's enumerations have the segmentation's values in the segmentation's order.
-  template <class From, class To>
-  void choice(const char* /*name*/, const From& from, To& to) {
-    to = static_cast<To>(from);
-  }
-  template <class List, class From, class To>
-  void group(const char* /*name*/, const List& list, const From& from, To& to) {
-    list(*this, from, to);
-  }
+struct CopySegmentFields : fields::Copy<CopySegmentFields> {
+  using Copy::group;
   template <class To>
   void group(const char* /*name*/, const fields::PointFields& /*list*/, const Eigen::Vector3f& from,
              To& to) {

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "config/segmenter_config.hpp"
 #include "idl/topics.hpp"
-#include "segmenter/pipeline/frame_pipeline.hpp"
 
 namespace cleave::service {
 namespace {
@@ -30,7 +30,7 @@ std::variant<CommandLine, int> parse_command_line(int count, const char* const* 
       ->required()
       ->type_name("FILE");
   app.add_option("--workers", line.workers, "Frames segmented at a time, for each sensor")
-      ->check(CLI::Range(1, static_cast<int>(FramePipeline::max_workers)));
+      ->check(CLI::Range(std::uint32_t{1}, config::max_workers));
   app.add_option("--sensor", line.sensor, "This sensor, in place of the file's")->type_name("NAME");
   app.add_flag("--lossless", line.lossless,
                "Drop no frame: the grabber waits for the segment lists (its --lossless)");

@@ -11,7 +11,7 @@ namespace cleave::service {
 
 struct CommandLine {
   std::string config_file;
-  std::optional<std::uint32_t> workers;  // 1 to FramePipeline::max_workers
+  std::optional<std::uint32_t> workers;  // 1 to config::max_workers
   std::optional<std::string> sensor;
   bool lossless = false;
   bool no_shared_memory = false;

@@ -10,12 +10,11 @@ namespace {
 
 constexpr std::chrono::milliseconds tick(100);  // how soon a change of state is seen
 constexpr std::chrono::milliseconds status_interval(500);
-constexpr std::chrono::seconds roudi_interval(1);
 
 }  // namespace
 
-Daemon::Daemon(const DaemonSettings& settings) : stream_(settings.stream), status_(stream_) {
-  if (stream_.transport() == Transport::shared_memory) roudi_.emplace();
+Daemon::Daemon(const DaemonSettings& settings)
+    : stream_(settings.stream), status_(stream_), roudi_(stream_.transport()) {
   for (const std::string& sensor : settings.sensors) start(settings, sensor);
   publish_due_status();
 }
@@ -31,42 +30,20 @@ void Daemon::start(const DaemonSettings& settings, const std::string& sensor) {
 }
 
 Ending Daemon::run(Shutdown& shutdown) {
-  Ending ending = Ending::asked;
   while (!shutdown.wait_for(tick)) {
-    if (roudi_replaced()) {
-      ending = Ending::roudi_replaced;
-      break;
-    }
     publish_due_status();
+    if (roudi_.replaced()) break;
   }
   drain();
-  return ending;
+  return roudi_.replaced() ? Ending::roudi_replaced : Ending::asked;
 }
 
-bool Daemon::roudi_replaced() {
-  if (!roudi_ || Clock::now() < next_roudi_check_) return false;
-  next_roudi_check_ = Clock::now() + roudi_interval;
-  switch (roudi_->check()) {
-    case RouDiState::present:
-      return false;
-    case RouDiState::gone:
-      if (roudi_error_.empty()) {
-        roudi_error_ =
-            "RouDi is gone: who is connected goes on, nobody new can join; start it again";
-        spdlog::warn("{}", roudi_error_);
-      }
-      return false;
-    case RouDiState::replaced:
-      break;
-  }
-  spdlog::warn("another RouDi runs: restarting in place to join it");
-  return true;
-}
-
-// All of them every half second, and each as soon as its state changes.
+// All of them every half second and when RouDi goes or comes, and each as soon as its state
+// changes.
 void Daemon::publish_due_status() {
-  const bool due = Clock::now() >= next_status_;
-  if (due) next_status_ = Clock::now() + status_interval;
+  const auto now = Clock::now();
+  const bool due = roudi_.update(now) || now >= next_status_;
+  if (due) next_status_ = now + status_interval;
   for (const auto& pipeline : pipelines_) {
     const bool changed = pipeline->update_state();
     if (due || changed) publish_status(*pipeline);
@@ -75,7 +52,7 @@ void Daemon::publish_due_status() {
 
 void Daemon::publish_status(const SensorPipeline& pipeline) {
   NodeReport report = pipeline.report();
-  if (!roudi_error_.empty()) report.last_error = roudi_error_;
+  if (!roudi_.error().empty()) report.last_error = roudi_.error();
   status_.publish(report);
 }
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,16 +45,13 @@ class Daemon {
  private:
   using Clock = std::chrono::steady_clock;
   void start(const DaemonSettings& settings, const std::string& sensor);
-  [[nodiscard]] bool roudi_replaced();
   void publish_status(const SensorPipeline& pipeline);
   void publish_due_status();
   void drain();
 
   Stream stream_;
   StatusPublisher status_;
-  std::optional<RouDiWatch> roudi_;  // where shared memory is in force
-  std::string roudi_error_;
-  Clock::time_point next_roudi_check_{};
+  RouDiWatch roudi_;
   Clock::time_point next_status_{};
   std::vector<std::unique_ptr<SensorPipeline>> pipelines_;
 };

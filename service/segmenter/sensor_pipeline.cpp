@@ -2,7 +2,6 @@
 #include "segmenter/sensor_pipeline.hpp"
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <memory>
@@ -80,14 +79,8 @@ bool SensorPipeline::update_state() {
 NodeReport SensorPipeline::report() const {
   const FrameCounts counts = pipeline_.counts();
   const LatencySummary latency = pipeline_.latency().latency();
-  NodeReport report;
-  report.node = "segmenter/" + sensor_;
-  report.version = CLEAVE_VERSION;
-  report.sensor = sensor_;
-  report.process_id = static_cast<std::uint32_t>(::getpid());
+  NodeReport report = first_report(stream_, segmenter_node(sensor_), sensor_);
   report.state = stopping_ ? NodeState::stopping : source_.state();
-  report.transport_in_force = stream_.transport();
-  report.transport_reason = stream_.transport_reason();
   report.frames_in = counts.received;
   report.frames_out = counts.published;
   report.frames_dropped = counts.dropped_total();

@@ -11,11 +11,12 @@
 #include "segmentation/ignored_options.hpp"
 #include "segmentation/option_visitor.hpp"
 #include "segmenter/option_binder.hpp"
-#include "segmenter/pipeline/frame_pipeline.hpp"
+#include "segmenter/pipeline/result_sink.hpp"
 
 namespace cleave::service {
 namespace {
 
+static_assert(config::max_workers < ResultSink::max_loans);
 constexpr std::size_t lossless_queue = 8;  // beyond the window of frames that the grabber keeps
 
 segmentation::Options read_options(config::Section section) {

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <memory>
 
+#include "idl/capacity.hpp"
 #include "segmentation/segmenter.hpp"
 
 namespace cleave::service {
 namespace {
 
-constexpr std::uint32_t width = 640;
-constexpr std::uint32_t height = 480;
+constexpr std::uint32_t width = capacity_columns;
+constexpr std::uint32_t height = capacity_rows;
 
 // A floor 0.5 m below the camera that meets a wall 1.2 m before it: a depth camera's view with a
 // concave crease.

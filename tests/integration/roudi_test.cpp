@@ -86,5 +86,48 @@ TEST_F(RouDiFault, ARouDiThatDiesIsReportedWhileSegmentsFlowAndARouDiThatComesBa
   EXPECT_EQ(segmenter.wait(), 0);
 }
 
+// Nobody can join while RouDi's socket has another name; who has joined keeps its connection.
+class RenamedSocket {
+ public:
+  RenamedSocket() { std::filesystem::rename(socket, other_name); }
+  ~RenamedSocket() {
+    std::error_code error;
+    std::filesystem::rename(other_name, socket, error);
+    EXPECT_FALSE(error) << error.message();
+  }
+  RenamedSocket(const RenamedSocket&) = delete;
+  RenamedSocket& operator=(const RenamedSocket&) = delete;
+
+ private:
+  static constexpr const char* socket = "/tmp/roudi";
+  static constexpr const char* other_name = "/tmp/roudi-renamed";
+};
+
+TEST_F(RouDiFault, ARouDiThatCannotBeReachedForAWhileIsAnErrorOfBothNodesThatGoesWhenItIsBack) {
+  const RouDi roudi;
+  Process segmenter = daemons_.segmenter();
+  Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  const auto eventually_both = [this](const auto& condition) {
+    return eventually([&] {
+      monitor_.poll();
+      return condition(monitor_.status("segmenter/camera").last_error) &&
+             condition(monitor_.status("grabber/camera").last_error);
+    });
+  };
+  {
+    const RenamedSocket renamed;
+    EXPECT_TRUE(eventually_both([](const std::string& error) {
+      return error.find("RouDi is gone") != std::string::npos;
+    })) << segmenter.log()
+        << camera.log();
+  }
+  EXPECT_TRUE(eventually_both([](const std::string& error) { return error.empty(); }))
+      << segmenter.log() << camera.log();
+  EXPECT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  EXPECT_EQ(segmenter.log().find("restart"), std::string::npos) << segmenter.log();
+  EXPECT_EQ(camera.log().find("restart"), std::string::npos) << camera.log();
+}
+
 }  // namespace
 }  // namespace cleave::test

@@ -13,6 +13,7 @@
 #include "console/live_line.hpp"
 #include "console/terminal.hpp"
 #include "console/unit_option.hpp"
+#include "idl/capacity.hpp"
 #include "recording/error.hpp"
 #include "recording/sources/extras.hpp"
 #include "recording/sources/frame_sink.hpp"
@@ -93,7 +94,8 @@ void add_convert_command(CLI::App& app, Action& action) {
   command
       ->add_option("--decimate", options->decimation,
                    "a block of so many pixels a side becomes one point: for\n"
-                   "more than 640 x 480")
+                   "more than " +
+                       capacity_text())
       ->check(CLI::Range(1, 4));
   command->footer(
       "Examples:\n"

@@ -81,7 +81,7 @@ void RecordSession::note(const FrameHeader& header) {
 void RecordSession::take_statuses() {
   while (const auto sample = statuses_.take()) {
     const NodeReport report = report_of(**sample);
-    if (report.node == "grabber/" + sensor_) source_ended_ = report.state == NodeState::ended;
+    if (report.node == grabber_node(sensor_)) source_ended_ = report.state == NodeState::ended;
   }
 }
 

@@ -34,7 +34,7 @@ void ReplaySession::run(Shutdown& shutdown, const std::function<void()>& on_tick
   while (!shutdown.requested()) {
     const auto result = reader_.next(replay_tick, ahead);
     if (result == recording::ReadAhead::Result::end) break;
-    if (result == recording::ReadAhead::Result::frame) publish(ahead, shutdown, on_tick);
+    if (result == recording::ReadAhead::Result::item) publish(ahead, shutdown, on_tick);
     update();
     on_tick();
   }

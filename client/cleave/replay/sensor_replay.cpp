@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/replay/sensor_replay.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -31,13 +29,8 @@ SensorReplay::SensorReplay(Stream& stream, const std::string& sensor,
   if (kinds.contains(recording::Kind::labels)) labels_.emplace(stream, sensor, writer_depth);
   if (kinds.contains(recording::Kind::segments)) lists_.emplace(stream, sensor, writer_depth);
   if (window) flow_.emplace(stream, sensor, *window);
-  report_.node = (has_clouds ? "grabber/" : "replay/") + sensor;
-  report_.version = CLEAVE_VERSION;
-  report_.sensor = sensor;
-  report_.process_id = static_cast<std::uint32_t>(::getpid());
+  report_ = first_report(stream, has_clouds ? grabber_node(sensor) : "replay/" + sensor, sensor);
   report_.state = NodeState::running;
-  report_.transport_in_force = stream.transport();
-  report_.transport_reason = stream.transport_reason();
 }
 
 void SensorReplay::update() {
@@ -88,7 +81,7 @@ bool SensorReplay::publish(const recording::Cloud& cloud) {
   message.header.publication_time_ns = time_ns;
   KeptFrame copy;
   if (flow_) copy = {message.header, cloud.xyz};
-  const Published entry{message.header.epoch, message.header.frame_id, time_ns};
+  const Published entry{key_of(message.header), time_ns};
   const bool zero_copy = clouds_->zero_copy();
   if (!clouds_->publish(std::move(*loan))) return false;
   if (flow_) flow_->published(std::move(copy), Clock::now());
@@ -124,9 +117,8 @@ bool SensorReplay::publish(const recording::SegmentList& list) {
 
 // When its cloud was replayed; now, if it was not.
 std::int64_t SensorReplay::cloud_time_ns(const recording::FrameHeader& header) const {
-  const auto found = std::ranges::find_if(published_, [&](const Published& p) {
-    return p.epoch == header.epoch + epoch_shift_ && p.frame_id == header.frame_id;
-  });
+  const FrameKey frame{header.epoch + epoch_shift_, header.frame_id};
+  const auto found = std::ranges::find(published_, frame, &Published::frame);
   return found == published_.end() ? monotonic_now_ns() : found->time_ns;
 }
 

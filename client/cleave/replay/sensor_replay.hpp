@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "libcleave/frame_key.hpp"
 #include "libcleave/lossless_flow.hpp"
 #include "libcleave/process/sensor_lock.hpp"
 #include "libcleave/status.hpp"
@@ -44,8 +45,7 @@ class SensorReplay {
  private:
   using Clock = std::chrono::steady_clock;
   struct Published {
-    std::uint32_t epoch;
-    std::uint64_t frame_id;
+    FrameKey frame;
     std::int64_t time_ns;
   };
   [[nodiscard]] bool publish(const recording::Cloud& cloud);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "idl/copy_fields.hpp"
 #include "idl/fields.hpp"
 #include "libcleave/sequence.hpp"
 #include "recording/error.hpp"
@@ -20,24 +21,8 @@ std::size_t checked_points(const FrameHeader& header) {
   return static_cast<std::size_t>(points);
 }
 
-// What goes either way.
-struct Copy {
-  template <class Number>
-  void number(const char* /*name*/, const Number& from, Number& to) {
-    to = from;
-  }
-  template <class From, class To>
-  void choice(const char* /*name*/, const From& from, To& to) {
-    to = static_cast<To>(from);
-  }
-};
-
-struct FromStream : Copy {
+struct FromStream : fields::Copy<FromStream> {
   void text(const char* /*name*/, const char (&from)[64], std::string& to) { to = name_of(from); }
-  template <class List, class From, class To>
-  void group(const char* /*name*/, const List& list, const From& from, To& to) {
-    list(*this, from, to);
-  }
   template <class List, class From, class To>
   void each(const char* /*name*/, const List& list, const From& from, std::vector<To>& to) {
     to.clear();
@@ -46,14 +31,10 @@ struct FromStream : Copy {
 };
 
 // Sequences are for their owner to fill.
-struct ToStream : Copy {
+struct ToStream : fields::Copy<ToStream> {
   void text(const char* name, const std::string& from, char (&to)[64]) {
     if (set_name(to, from)) return;
     throw recording::DataError("a frame's " + std::string(name) + " has more than 63 characters");
-  }
-  template <class List, class From, class To>
-  void group(const char* /*name*/, const List& list, const From& from, To& to) {
-    list(*this, from, to);
   }
   template <class List, class From, class To>
   void each(const char* /*name*/, const List& /*list*/, const From& /*from*/, To& /*to*/) {}

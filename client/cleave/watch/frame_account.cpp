@@ -56,12 +56,12 @@ NodeReport NodeTotals::total() const {
 }
 
 void FrameAccount::add_report(const NodeReport& report, SteadyTime now) {
-  if (report.node == "grabber/" + sensor_) {
+  if (report.node == grabber_node(sensor_)) {
     if (grabber_.add(report)) last_progress_ = now;
     // An ended grabber says that it is stopping before it leaves; only one that runs again is back.
     if (report.state == NodeState::ended) source_ended_ = true;
     if (report.state == NodeState::running) source_ended_ = false;
-  } else if (report.node == "segmenter/" + sensor_) {
+  } else if (report.node == segmenter_node(sensor_)) {
     if (segmenter_.add(report)) last_progress_ = now;
     last_segmenter_report_ = now;
   }

@@ -55,7 +55,7 @@ void WatchSession::take_statuses() {
     const NodeReport report = report_of(**sample);
     const Clock::time_point now = Clock::now();
     account_.add_report(report, now);
-    if (report.node != "segmenter/" + sensor_) continue;
+    if (report.node != segmenter_node(sensor_)) continue;
     segmenter_cpu_.add(report, now);
     ++segmenter_statuses_;
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "recording/cloud/measured.hpp"
+#include "recording/percentile.hpp"
 
 namespace cleave {
 namespace {
@@ -24,12 +25,7 @@ struct Range {
 
 // What 99 % of the values span, so that a few stray points do not shrink the rest to a dot.
 Range robust_range(std::vector<float> values) {
-  const auto at = [&](double share) {
-    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    return values[static_cast<std::size_t>(rank)];
-  };
-  return {at(0.005), at(0.995)};
+  return {recording::percentile(values, 0.005), recording::percentile(values, 0.995)};
 }
 
 // Pixel = scale * (x, y) / (z + pull_back) + centre.

@@ -66,9 +66,7 @@ double FrameReader::duration_s() const {
 }
 
 std::vector<std::string> FrameReader::problems() const {
-  std::vector<std::string> all = mcap_.problems();
-  all.insert(all.end(), problems_.texts().begin(), problems_.texts().end());
-  return all;
+  return problems_.texts_after(mcap_.problems());
 }
 
 std::map<std::string, std::uint64_t> FrameReader::losses() const {

@@ -16,10 +16,10 @@ namespace {
 void check_size(const FrameHeader& header, std::size_t values, std::size_t values_a_point) {
   const std::uint64_t points = header.points();
   if (points == 0 || points > capacity_points || values != points * values_a_point) {
-    throw DataError("a frame of " + std::to_string(header.width) + " x " +
-                    std::to_string(header.height) +
-                    " points cannot be recorded; the contract's frames have 1 to 640 x 480 "
-                    "(`cleave convert --decimate` makes a block of them into one)");
+    throw DataError(
+        "a frame of " + std::to_string(header.width) + " x " + std::to_string(header.height) +
+        " points cannot be recorded; the contract's frames have 1 to " + capacity_text() +
+        " (`cleave convert --decimate` makes a block of them into one)");
   }
 }
 

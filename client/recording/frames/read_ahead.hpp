@@ -3,9 +3,7 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -15,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "recording/ahead_queue.hpp"
 #include "recording/frames/frame_input.hpp"
 #include "recording/frames/frame_reader.hpp"
 
@@ -38,7 +37,7 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  enum class Result { frame, timeout, end };
+  using Result = AheadQueue<AheadFrame>::Result;
   // Throws FileError when the disk has failed.
   [[nodiscard]] Result next(std::chrono::milliseconds timeout, AheadFrame& frame);
 
@@ -51,18 +50,14 @@ class ReadAhead {
   static constexpr std::size_t default_frames_ahead = 4;
   void run();
   std::size_t pass(std::uint64_t number);
-  bool hand_over(AheadFrame frame);  // false: asked to stop
+  void note_losses();
   void end(const std::string& failure);
 
   bool loop_;
-  std::size_t frames_ahead_;
   std::unique_ptr<FrameInput> input_;  // of the thread
+  AheadQueue<AheadFrame> ready_;
 
-  mutable std::mutex mutex_;  // guards all below but the thread
-  std::condition_variable changed_;
-  std::deque<AheadFrame> ready_;
-  bool ended_ = false;
-  bool stop_ = false;
+  mutable std::mutex mutex_;  // guards the three below
   std::string failure_;
   std::vector<std::string> problems_;
   std::map<std::string, std::uint64_t> losses_;

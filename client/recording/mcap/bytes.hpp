@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "recording/error.hpp"
@@ -43,24 +45,32 @@ inline void append_string(Bytes& to, std::string_view text) {
   append(to, bytes_of(text));
 }
 
-// Takes numbers off the front of a buffer; throws DataError where it ends too soon.
+// Takes numbers off the front of a buffer that nobody vouches for. Where it ends too soon, take()
+// and what has no name with `try` throw DataError; try_take() and the like are empty, and the
+// buffer is as it was.
 class ByteSource {
  public:
   explicit ByteSource(ByteView bytes) : rest_(bytes) {}
 
-  [[nodiscard]] ByteView take(std::uint64_t count) {
-    if (count > rest_.size()) {
-      throw DataError("it ends " + std::to_string(count - rest_.size()) + " bytes too soon");
-    }
+  [[nodiscard]] std::optional<ByteView> try_take(std::uint64_t count) {
+    if (count > rest_.size()) return std::nullopt;
     const ByteView taken = rest_.first(static_cast<std::size_t>(count));
     rest_ = rest_.subspan(static_cast<std::size_t>(count));
     return taken;
   }
+  [[nodiscard]] ByteView take(std::uint64_t count) {
+    if (const auto taken = try_take(count)) return *taken;
+    throw DataError("it ends " + std::to_string(count - rest_.size()) + " bytes too soon");
+  }
+  template <class Number>
+  [[nodiscard]] std::optional<Number> try_number() {
+    const auto taken = try_take(sizeof(Number));
+    if (!taken) return std::nullopt;
+    return number_in<Number>(*taken);
+  }
   template <class Number>
   [[nodiscard]] Number number() {
-    Number value;
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
-    return value;
+    return number_in<Number>(take(sizeof(Number)));
   }
   [[nodiscard]] std::string string() {
     const ByteView text = take(number<std::uint32_t>());
@@ -69,6 +79,14 @@ class ByteSource {
   [[nodiscard]] std::size_t left() const { return rest_.size(); }
 
  private:
+  template <class Number>
+  [[nodiscard]] static Number number_in(ByteView bytes) {
+    static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
+    Number value;
+    std::memcpy(&value, bytes.data(), sizeof value);
+    return value;
+  }
+
   ByteView rest_;
 };
 

@@ -5,10 +5,13 @@
 #include <cctype>
 #include <cstring>
 
-#include "recording/oni/bytes.hpp"
+#include "recording/mcap/bytes.hpp"
 
 namespace cleave::oni {
 namespace {
+
+using recording::ByteSource;
+using recording::ByteView;
 
 using Problem = std::optional<std::string>;
 
@@ -21,7 +24,7 @@ constexpr std::uint32_t code(const char (&name)[5]) {
 // Where decoded values go: through the table, and no further than the last pixel.
 class Sink {
  public:
-  Sink(std::span<std::uint16_t> pixels, std::optional<std::span<const std::uint8_t>> table)
+  Sink(std::span<std::uint16_t> pixels, std::optional<ByteView> table)
       : pixels_(pixels), table_(table) {}
 
   [[nodiscard]] bool put(std::uint16_t value, std::size_t count = 1) {
@@ -37,7 +40,7 @@ class Sink {
 
  private:
   std::span<std::uint16_t> pixels_;
-  std::optional<std::span<const std::uint8_t>> table_;
+  std::optional<ByteView> table_;
   std::size_t filled_ = 0;
 };
 
@@ -52,13 +55,13 @@ constexpr unsigned escape = 0xF;
 // One code after the other; `value` is the pixel before, or its index in the table.
 class DifferenceDecoder {
  public:
-  DifferenceDecoder(Bytes bytes, Sink& sink, std::uint16_t first)
+  DifferenceDecoder(ByteSource bytes, Sink& sink, std::uint16_t first)
       : bytes_(bytes), sink_(sink), value_(first) {}
 
   // False: `data` holds a code that there is not, ends within one, or does not fit.
   [[nodiscard]] bool run() {
     if (!sink_.put(value_)) return false;
-    while (const auto next = bytes_.take<std::uint8_t>()) {
+    while (const auto next = bytes_.try_number<std::uint8_t>()) {
       if (!decode(*next)) return false;
     }
     return true;
@@ -81,12 +84,12 @@ class DifferenceDecoder {
     return sink_.put(value_);
   }
   bool full() {
-    const auto first = bytes_.take<std::uint8_t>();
+    const auto first = bytes_.try_number<std::uint8_t>();
     if (!first) return false;
     if (*first >= 0x80) {
       value_ = minus(value_, *first - 192);
     } else {
-      const auto second = bytes_.take<std::uint8_t>();
+      const auto second = bytes_.try_number<std::uint8_t>();
       if (!second) return false;
       value_ = static_cast<std::uint16_t>(*first << 8 | *second);
     }
@@ -94,13 +97,13 @@ class DifferenceDecoder {
   }
   // The run that belongs before the single last pixel although it is written behind it.
   bool last_run() {
-    const auto run = bytes_.take<std::uint8_t>();
+    const auto run = bytes_.try_number<std::uint8_t>();
     if (!run) return true;
-    return *run >> 4 == 0xE && bytes_.left().empty() &&
+    return *run >> 4 == 0xE && bytes_.left() == 0 &&
            sink_.put(value_, std::size_t{2} * (*run & 0xF));
   }
 
-  Bytes bytes_;
+  ByteSource bytes_;
   Sink& sink_;
   std::uint16_t value_;
 };
@@ -134,14 +137,14 @@ std::string name_of_codec(std::uint32_t value) {
 
 Problem decode(Codec codec, std::span<const std::uint8_t> data, std::span<std::uint16_t> pixels) {
   if (codec == Codec::none) return decode_raw(data, pixels);
-  Bytes bytes(data);
-  std::optional<std::span<const std::uint8_t>> table;
+  ByteSource bytes(std::as_bytes(data));
+  std::optional<ByteView> table;
   if (codec == Codec::difference_table) {
-    const auto entries = bytes.take<std::uint16_t>();
-    if (entries) table = bytes.take(std::size_t{*entries} * 2);
+    const auto entries = bytes.try_number<std::uint16_t>();
+    if (entries) table = bytes.try_take(std::size_t{*entries} * 2);
     if (!table) return "the image is shorter than its table of values";
   }
-  const auto first = bytes.take<std::uint16_t>();
+  const auto first = bytes.try_number<std::uint16_t>();
   if (!first) return "the image has no pixel";
   Sink sink(pixels, table);
   if (!DifferenceDecoder(bytes, sink, *first).run()) return "the compressed image is damaged";

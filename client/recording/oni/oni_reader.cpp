@@ -6,11 +6,13 @@
 #include <string_view>
 #include <tuple>
 
-#include "recording/oni/bytes.hpp"
 #include "recording/oni/record_walk.hpp"
+#include "recording/oni/text.hpp"
 
 namespace cleave::oni {
 namespace {
+
+using recording::ByteSource;
 
 // "NI10", version (1, 1, 2, 4 bytes), largest time stamp (8), largest node (4)
 constexpr std::size_t file_header_bytes = 24;
@@ -23,16 +25,16 @@ struct FileHeader {
 };
 
 FileHeader read_header(const File& file, std::vector<std::uint8_t>& buffer) {
-  Bytes bytes(file.read(0, file_header_bytes, buffer));
-  const auto magic = bytes.take(4);
+  ByteSource bytes(std::as_bytes(file.read(0, file_header_bytes, buffer)));
   constexpr std::string_view expected = "NI10";
-  if (!magic || !std::equal(magic->begin(), magic->end(), expected.begin())) {
+  const auto magic = bytes.try_take(expected.size());
+  if (!magic || !std::ranges::equal(*magic, recording::bytes_of(expected))) {
     throw std::runtime_error("it is not an .oni file (it does not begin with NI10)");
   }
-  const auto major = bytes.take<std::uint8_t>();
-  const auto minor = bytes.take<std::uint8_t>();
-  const auto maintenance = bytes.take<std::uint16_t>();
-  const auto build = bytes.take<std::uint32_t>();
+  const auto major = bytes.try_number<std::uint8_t>();
+  const auto minor = bytes.try_number<std::uint8_t>();
+  const auto maintenance = bytes.try_number<std::uint16_t>();
+  const auto build = bytes.try_number<std::uint32_t>();
   if (!build || file.size() < file_header_bytes) throw std::runtime_error("it ends in its header");
   const auto version = std::tuple(*major, *minor, *maintenance, *build);
   if (version < std::tuple(1, 0, 0, 4) || version > std::tuple(1, 0, 1, 0)) {
@@ -49,10 +51,10 @@ struct Node {
 };
 
 std::optional<Node> parse_node(std::span<const std::uint8_t> fields) {
-  Bytes bytes(fields);
-  if (!bytes.take_text()) return std::nullopt;
-  const auto type = bytes.take<std::uint32_t>();
-  const auto codec = bytes.take<std::uint32_t>();
+  ByteSource bytes(std::as_bytes(fields));
+  if (!take_text(bytes)) return std::nullopt;
+  const auto type = bytes.try_number<std::uint32_t>();
+  const auto codec = bytes.try_number<std::uint32_t>();
   if (!codec) return std::nullopt;
   return Node{*type, *codec};
 }
@@ -95,9 +97,9 @@ void Reader::find_frames() {
     } else if (is_property(record->type)) {
       properties->add(fields());
     } else if (record->type == RecordType::new_data) {
-      Bytes bytes(fields());
-      const auto timestamp_us = bytes.take<std::uint64_t>();
-      const auto index = bytes.take<std::uint32_t>();
+      ByteSource bytes(std::as_bytes(fields()));
+      const auto timestamp_us = bytes.try_number<std::uint64_t>();
+      const auto index = bytes.try_number<std::uint32_t>();
       if (index) {
         frames_.push_back({record->payload, record->payload_bytes, *index, *timestamp_us});
       }

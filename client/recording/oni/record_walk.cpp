@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 
-#include "recording/oni/bytes.hpp"
+#include "recording/mcap/bytes.hpp"
 
 namespace cleave::oni {
 namespace {
+
+using recording::ByteSource;
 
 constexpr std::array<std::uint8_t, 4> magic = {'N', 'I', 'R', 0};
 constexpr std::size_t search_block = std::size_t{1} << 16;
@@ -41,13 +43,13 @@ std::optional<Record> RecordWalk::next() {
 }
 
 std::optional<Record> RecordWalk::record_at(std::uint64_t position) {
-  Bytes bytes(file_.read(position, header_bytes_, header_));
-  const auto start = bytes.take(magic.size());
-  if (!start || !std::ranges::equal(*start, magic)) return std::nullopt;
-  const auto type = bytes.take<std::uint32_t>();
-  const auto node = bytes.take<std::uint32_t>();
-  const auto header_and_fields = bytes.take<std::uint32_t>();
-  const auto payload = bytes.take<std::uint32_t>();
+  ByteSource bytes(std::as_bytes(file_.read(position, header_bytes_, header_)));
+  const auto start = bytes.try_take(magic.size());
+  if (!start || !std::ranges::equal(*start, std::as_bytes(std::span(magic)))) return std::nullopt;
+  const auto type = bytes.try_number<std::uint32_t>();
+  const auto node = bytes.try_number<std::uint32_t>();
+  const auto header_and_fields = bytes.try_number<std::uint32_t>();
+  const auto payload = bytes.try_number<std::uint32_t>();
   if (!payload || !is_known(*type) || *header_and_fields < header_bytes_) return std::nullopt;
   const Record record{static_cast<RecordType>(*type), *node,
                       position + header_bytes_,       *header_and_fields - header_bytes_,

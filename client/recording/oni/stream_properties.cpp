@@ -5,10 +5,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "recording/oni/bytes.hpp"
+#include "recording/oni/text.hpp"
 
 namespace cleave::oni {
 namespace {
+
+using recording::ByteSource;
 
 constexpr std::uint64_t millimetres = 100;            // ONI_PIXEL_FORMAT_DEPTH_1_MM
 constexpr std::uint64_t tenths_of_millimetres = 101;  // ONI_PIXEL_FORMAT_DEPTH_100_UM
@@ -21,43 +23,43 @@ bool is_angle(double rad) {
 }  // namespace
 
 void StreamProperties::add(std::span<const std::uint8_t> fields) {
-  Bytes bytes(fields);
-  const auto name = bytes.take_text();
-  const auto size = bytes.take<std::uint32_t>();
+  ByteSource bytes(std::as_bytes(fields));
+  const auto name = take_text(bytes);
+  const auto size = bytes.try_number<std::uint32_t>();
   if (!name || !size) return;
-  const auto value = bytes.take(*size);
+  const auto value = bytes.try_take(*size);
   if (!value) return;
-  Bytes data(*value);
-  const auto integer = [&data] { return data.take<std::uint64_t>(); };
+  ByteSource data(*value);
+  const auto integer = [&data] { return data.try_number<std::uint64_t>(); };
   if (*name == "oniPixelFormat") {
     if (const auto format = integer()) pixel_format_ = *format;
   } else if (*name == "xnMirror") {
     if (const auto mirrored = integer()) stream_.mirrored = *mirrored != 0;
   } else if (*name == "xnMapOutputMode") {
-    const auto width = data.take<std::uint32_t>();
-    const auto height = data.take<std::uint32_t>();
-    const auto fps = data.take<std::uint32_t>();
+    const auto width = data.try_number<std::uint32_t>();
+    const auto height = data.try_number<std::uint32_t>();
+    const auto fps = data.try_number<std::uint32_t>();
     if (!fps) return;
     stream_.sensor_width = *width;
     stream_.sensor_height = *height;
     stream_.fps = *fps;
   } else if (*name == "xnFOV") {
-    const auto horizontal = data.take<double>();
-    const auto vertical = data.take<double>();
+    const auto horizontal = data.try_number<double>();
+    const auto vertical = data.try_number<double>();
     if (!vertical) return;
     stream_.horizontal_fov_rad = *horizontal;
     stream_.vertical_fov_rad = *vertical;
   } else if (*name == "xnRealWorldTranslationData") {
-    const auto distance = data.take<double>();
-    const auto pixel = data.take<double>();
-    const auto ratio = data.take<double>();
+    const auto distance = data.try_number<double>();
+    const auto pixel = data.try_number<double>();
+    const auto ratio = data.try_number<double>();
     if (ratio) add_fov_of_old_files(*distance, *pixel, *ratio);
   } else if (*name == "xnCropping") {
-    const auto enabled = data.take<std::uint32_t>();
-    const auto x = data.take<std::uint16_t>();
-    const auto y = data.take<std::uint16_t>();
-    const auto width = data.take<std::uint16_t>();
-    const auto height = data.take<std::uint16_t>();
+    const auto enabled = data.try_number<std::uint32_t>();
+    const auto x = data.try_number<std::uint16_t>();
+    const auto y = data.try_number<std::uint16_t>();
+    const auto width = data.try_number<std::uint16_t>();
+    const auto height = data.try_number<std::uint16_t>();
     if (!height || *enabled == 0) return;
     stream_.cropping = {*x, *y};
     cropped_size_ = {*width, *height};

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "recording/cloud/measured.hpp"
+#include "recording/percentile.hpp"
 
 namespace cleave::recording {
 namespace {
@@ -98,14 +99,9 @@ std::array<double, 3> find_origin(const std::vector<double>& xyz) {
       if (is_measured(&xyz[i])) values.push_back(xyz[i + axis]);
     }
     if (values.empty()) return {};
-    const auto at = [&](double share) {  // a few stray points shall not count
-      const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-      std::nth_element(values.begin(), values.begin() + rank, values.end());
-      return values[static_cast<std::size_t>(rank)];
-    };
-    middle[axis] = at(0.5);
+    middle[axis] = percentile(values, 0.5);
     distance = std::max(distance, std::abs(middle[axis]));
-    extent = std::max(extent, at(0.95) - at(0.05));
+    extent = std::max(extent, percentile(values, 0.95) - percentile(values, 0.05));
   }
   if (extent == 0 || distance <= farthest_extents * extent) return {};
   const double unit = std::ldexp(1.0, std::ilogb(distance) - 20);

@@ -127,9 +127,7 @@ void CloudReader::note_loss(std::uint64_t number, const std::string& cause,
 }
 
 std::vector<std::string> CloudReader::problems() const {
-  std::vector<std::string> all = mcap_.problems();
-  all.insert(all.end(), problems_.texts().begin(), problems_.texts().end());
-  return all;
+  return problems_.texts_after(mcap_.problems());
 }
 
 std::map<std::string, std::uint64_t> CloudReader::losses() const {

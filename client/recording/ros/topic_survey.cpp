@@ -54,9 +54,10 @@ std::string why_not(const std::string& type) {
 // Empty for a cloud that can be streamed and recorded as it is.
 std::string too_large(std::uint32_t width, std::uint32_t height) {
   if (std::uint64_t{width} * height <= capacity_points) return "";
-  return std::to_string(width) + " x " + std::to_string(height) +
-         " points, more than the 640 x 480 that can be streamed and recorded; --decimate 2 makes "
-         "four into one, and `cleave segment` takes them as they are";
+  return std::to_string(width) + " x " + std::to_string(height) + " points, more than the " +
+         capacity_text() +
+         " that can be streamed and recorded; --decimate 2 makes four into one, and `cleave "
+         "segment` takes them as they are";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "recording/pcd/error.hpp"
 #include "recording/pcd/folder.hpp"
+#include "recording/pcd/origin_remark.hpp"
 #include "recording/pcd/stream_cloud.hpp"
 #include "recording/sources/frame_source.hpp"
 #include "recording/units/suspected_unit.hpp"
@@ -42,7 +43,7 @@ class PcdFrames : public FrameSource {
  private:
   Frame read(const std::filesystem::path& file) {
     StreamCloud pcd = read_stream_cloud(file, max_points_, unit_);
-    note_origin(file, pcd);
+    if (const auto remark = origins_.of(file, pcd)) spdlog::warn("{}", *remark);
     Cloud cloud;
     cloud.xyz = std::move(pcd.xyz);
     const std::int64_t time_ns = static_cast<std::int64_t>(frames_) * period_ns;
@@ -64,17 +65,6 @@ class PcdFrames : public FrameSource {
     ++skipped_;
   }
 
-  // Said once: recordings, as the stream, hold floats.
-  void note_origin(const std::filesystem::path& file, const StreamCloud& pcd) {
-    const auto& [x, y, z] = pcd.origin;
-    if (has_noted_origin_ || (x == 0 && y == 0 && z == 0)) return;
-    has_noted_origin_ = true;
-    spdlog::warn(
-        "{}: its points are too far from zero for a recording's floats; they are kept relative to "
-        "{} {} {}, and those of further such files relative to a place near their own middle",
-        file.string(), x, y, z);
-  }
-
   std::vector<std::filesystem::path> files_;
   std::string sensor_;
   std::optional<Unit> unit_;
@@ -82,7 +72,7 @@ class PcdFrames : public FrameSource {
   std::size_t next_ = 0;
   std::uint64_t frames_ = 0;
   std::size_t skipped_ = 0;
-  bool has_noted_origin_ = false;
+  OriginRemark origins_;
 };
 
 }  // namespace

@@ -7,17 +7,13 @@
 #include <cstdint>
 #include <limits>
 
+#include "recording/percentile.hpp"
+
 namespace cleave::recording {
 namespace {
 
 constexpr std::size_t queries = 1000;
 constexpr std::uint32_t crowded = 5000;  // points in three buckets
-
-double percentile(std::vector<double>& values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
 
 // Buckets of about a point each, over what most points lie in; strays count to the outermost.
 class Buckets {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "recording/cloud/measured.hpp"
+#include "recording/percentile.hpp"
 #include "recording/units/nearest_spacing.hpp"
 
 namespace cleave::recording {
@@ -57,9 +58,7 @@ double depth_percentile(const std::vector<Point>& points, double share) {
   std::vector<float> depth;
   depth.reserve(points.size());
   for (const Point& p : points) depth.push_back(p.z);
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(depth.size() - 1));
-  std::nth_element(depth.begin(), depth.begin() + at, depth.end());
-  return depth[static_cast<std::size_t>(at)];
+  return percentile(depth, share);
 }
 
 // A look at a few points settles it for nearly all clouds in metres.

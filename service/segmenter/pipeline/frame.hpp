@@ -16,11 +16,6 @@
 
 namespace cleave::service {
 
-// Ids as the header's private copy has them.
-inline FrameKey key_of(const FrameHeader& header) {
-  return {header.epoch, header.frame_id};
-}
-
 // Checked, and waiting for a worker. Owns the sample, which may be the writer's own memory: of that
 // only the points are read, the header is a private copy.
 struct Frame {

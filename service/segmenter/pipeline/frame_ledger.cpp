@@ -19,7 +19,7 @@ std::uint64_t& count_of(std::array<std::uint64_t, N>& counts, Cause cause) {
 // Whether a grabber that published `before` counts on to `after`.
 bool goes_on(FrameKey before, FrameKey after) {
   const std::uint32_t epochs = after.epoch - before.epoch;
-  return epochs <= 1 && after.id > before.id;
+  return epochs <= 1 && after.frame_id > before.frame_id;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ Arrived FrameLedger::arrive(FrameKey key, bool zero_copy) {
     ++counts_.duplicates;
     return {Arrival::in_flight, 0};
   }
-  if (!newest_ || key.epoch != newest_->epoch || key.id > newest_->id) {
+  if (!newest_ || key.epoch != newest_->epoch || key.frame_id > newest_->frame_id) {
     const std::uint64_t missed = count_gap(key);
     newest_ = key;
     ++counts_.received;
@@ -80,11 +80,11 @@ FrameCounts FrameLedger::snapshot() const {
 // The ids between the newest frame and `key`, a later one of the same grabber, never came.
 std::uint64_t FrameLedger::count_gap(FrameKey key) {
   if (!newest_ || !goes_on(*newest_, key)) return 0;
-  const std::uint64_t missed = key.id - newest_->id - 1;
+  const std::uint64_t missed = key.frame_id - newest_->frame_id - 1;
   counts_.received += missed;
   count_of(counts_.dropped, DropCause::transport) += missed;
   const std::uint64_t remembered = std::min<std::uint64_t>(missed, remembered_drops);
-  for (std::uint64_t id = key.id - remembered; id != key.id; ++id) {
+  for (std::uint64_t id = key.frame_id - remembered; id != key.frame_id; ++id) {
     remember_drop({key.epoch, id}, DropCause::transport);
   }
   return missed;

@@ -9,15 +9,10 @@
 #include <optional>
 #include <vector>
 
+#include "libcleave/frame_key.hpp"
 #include "segmenter/pipeline/causes.hpp"
 
 namespace cleave::service {
-
-struct FrameKey {
-  std::uint32_t epoch = 0;
-  std::uint64_t id = 0;
-  bool operator==(const FrameKey&) const = default;
-};
 
 struct FrameCounts {
   std::uint64_t received = 0;  // by the sensor published, those lost in transport included

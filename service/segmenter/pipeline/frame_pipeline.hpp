@@ -42,10 +42,8 @@ struct PipelineSettings {
 
 class FramePipeline {
  public:
-  // More workers than this would leave no loan for a frame that waits for a slower one before it.
-  static constexpr std::size_t max_workers = 6;
-
-  // One worker thread a segment function. `sink` outlives this.
+  // One worker thread a segment function: fewer than the sink has loans, so that there is one for a
+  // frame that waits for a slower one before it. `sink` outlives this.
   FramePipeline(const PipelineSettings& settings, ResultSink& sink,
                 std::vector<SegmentFunction> segmenters);
   ~FramePipeline() { drain(); }

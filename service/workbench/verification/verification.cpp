@@ -24,7 +24,7 @@ struct Segmented {
 
 std::string size_problem(const recording::FrameHeader& header) {
   return "frame " + std::to_string(header.frame_id) + " has " + std::to_string(header.width) +
-         " x " + std::to_string(header.height) + " points, more than 640 x 480";
+         " x " + std::to_string(header.height) + " points, more than " + capacity_text();
 }
 
 // Clouds of a recording that were not segmented, and why.

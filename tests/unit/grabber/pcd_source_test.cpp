@@ -157,8 +157,8 @@ TEST(PcdLoader, ReadsFilesAnewThatDoNotFitIntoItsMemory) {
   const auto file = folder.write("1.pcd", cloud_at(1));
   PcdLoader loader({file}, true, {}, capacity_points, 0);
   LoadedCloud first{}, second{};
-  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::cloud);
-  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::cloud);
+  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::item);
+  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::item);
   EXPECT_NE(first.cloud, second.cloud);
   EXPECT_EQ(first.cloud->xyz, second.cloud->xyz);
 }
@@ -168,8 +168,8 @@ TEST(PcdLoader, KeepsWhatFits) {
   const auto file = folder.write("1.pcd", cloud_at(1));
   PcdLoader loader({file}, true);
   LoadedCloud first{}, second{};
-  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::cloud);
-  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::cloud);
+  ASSERT_EQ(loader.next(seconds(10), first), PcdLoader::Result::item);
+  ASSERT_EQ(loader.next(seconds(10), second), PcdLoader::Result::item);
   EXPECT_EQ(first.cloud, second.cloud);
 }
 

@@ -4,18 +4,16 @@
 #include <grp.h>
 #include <gtest/gtest.h>
 #include <pwd.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
+#include <optional>
 #include <string>
-#include <utility>
+
+#include "tests/unit/libcleave/listening_socket.hpp"
 
 namespace cleave {
 namespace {
@@ -34,12 +32,11 @@ class RouDiAccess : public testing::Test {
     folder_ = ::mkdtemp(name.data());
     std::filesystem::create_directory(place_.memory = folder_ / "shm");
     place_.socket = folder_ / "roudi";
-    listen();
+    socket_.emplace(place_.socket);
     add_memory("iceoryx_mgmt");
     add_memory(::getgrgid(::getegid())->gr_name);
   }
   ~RouDiAccess() override {
-    ::close(socket_);
     become_root();
     std::filesystem::remove_all(folder_);
   }
@@ -47,28 +44,19 @@ class RouDiAccess : public testing::Test {
   void become_root() {
     if (was_root_) (void)(::seteuid(0) == 0 && ::setegid(group_before_) == 0);
   }
-  void listen() {
-    socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, place_.socket.c_str(), sizeof address.sun_path - 1);
-    if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-      throw std::runtime_error("cannot bind " + place_.socket.string());
-    }
-  }
   void add_memory(const std::string& name) const { std::ofstream(place_.memory / name) << "x"; }
 
   std::filesystem::path folder_;
   RouDiPlace place_;
 
  private:
-  int socket_ = -1;
+  std::optional<test::ListeningSocket> socket_;
   bool was_root_ = false;
   gid_t group_before_ = 0;
 
  protected:
   [[nodiscard]] bool was_root() const { return was_root_; }
-  void stop_listening() { ::close(std::exchange(socket_, -1)); }
+  void stop_listening() { socket_.reset(); }
 };
 
 bool holds(const std::string& text, const std::string& part) {

@@ -127,7 +127,7 @@ TEST_F(FrameFile, BeginsAgainWhenItLoops) {
   ReadAhead ahead(file_, {{Kind::cloud}, "", 0, {}}, true);
   for (std::uint64_t i = 0; i < 6; ++i) {
     AheadFrame frame;
-    ASSERT_EQ(ahead.next(std::chrono::seconds(20), frame), ReadAhead::Result::frame);
+    ASSERT_EQ(ahead.next(std::chrono::seconds(20), frame), ReadAhead::Result::item);
     EXPECT_EQ(frame.pass, i / 2);
     EXPECT_EQ(frame.frame.header().frame_id, i % 2 + 1);
   }
@@ -137,7 +137,7 @@ TEST_F(FrameFile, EndsWhenItDoesNotLoop) {
   write_frames(file_, 1, 4096);
   ReadAhead ahead(file_, {{Kind::cloud}, "", 0, {}}, false);
   AheadFrame frame;
-  EXPECT_EQ(ahead.next(std::chrono::seconds(20), frame), ReadAhead::Result::frame);
+  EXPECT_EQ(ahead.next(std::chrono::seconds(20), frame), ReadAhead::Result::item);
   EXPECT_EQ(ahead.next(std::chrono::seconds(20), frame), ReadAhead::Result::end);
 }
 

@@ -92,7 +92,7 @@ TEST_F(Convert, ReplacesNothing) {
 }
 
 TEST_F(Convert, RefusesOtherKindsOfFiles) {
-  EXPECT_THROW((void)open_frame_source(folder_.file("a.txt", "text"), "camera"), UsageError);
+  EXPECT_THROW((void)open_frame_source(folder_.file("a.txt", "text"), "camera"), UnknownInput);
   EXPECT_THROW((void)open_frame_source(folder_.path() / "absent.pcd", "camera"),
                std::runtime_error);
 }
@@ -126,7 +126,8 @@ TEST_F(Convert, KeepsTheAttachmentsOfARecordingWhateverItsNameEndsIn) {
   const std::filesystem::path unnamed = folder_.path() / "recording.bak";
   std::filesystem::rename(run, unnamed);
   const std::filesystem::path copy = folder_.path() / "copy.mcap";
-  EXPECT_EQ(tests::run_command(add_convert_command, {"convert", "mcap:" + unnamed.string(), copy}),
+  EXPECT_EQ(tests::run_command(client::add_convert_command,
+                               {"convert", "mcap:" + unnamed.string(), copy}),
             exit_done);
   EXPECT_EQ(recording::McapReader(copy).contents().attachments.size(), 1U);
 }

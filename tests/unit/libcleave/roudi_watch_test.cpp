@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "libcleave/roudi.hpp"
+#include "tests/unit/libcleave/listening_socket.hpp"
+
+namespace cleave {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WatchOfRouDi : public testing::Test {
+ protected:
+  WatchOfRouDi() {
+    std::string name = (fs::temp_directory_path() / "cleave-watch-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+    roudi_.emplace(file());
+  }
+  ~WatchOfRouDi() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] fs::path file() const { return folder_ / "roudi"; }
+  void crash() { roudi_.reset(); }
+  void start_another() {
+    crash();
+    fs::rename(file(), folder_ / "before");  // so that the next one cannot be given the same inode
+    roudi_.emplace(file());
+  }
+  // What the watch says when it looks the next time.
+  static bool look(RouDiWatch& watch) {
+    static RouDiWatch::Clock::time_point now{};
+    return watch.update(now += std::chrono::seconds(1));
+  }
+
+  fs::path folder_;
+  std::optional<test::ListeningSocket> roudi_;
+};
+
+TEST_F(WatchOfRouDi, HasNothingToSayWhileTheSameOneAnswers) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  EXPECT_FALSE(look(watch));
+  EXPECT_FALSE(look(watch));
+  EXPECT_EQ(watch.error(), "");
+  EXPECT_FALSE(watch.replaced());
+}
+
+TEST_F(WatchOfRouDi, TellsOnceThatItIsGone) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  crash();
+  EXPECT_TRUE(look(watch));
+  EXPECT_NE(watch.error().find("RouDi is gone"), std::string::npos);
+  EXPECT_FALSE(look(watch));
+  EXPECT_FALSE(watch.replaced());
+}
+
+TEST_F(WatchOfRouDi, ForgetsTheErrorWhenTheSameOneIsBack) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  fs::rename(file(), folder_ / "away");
+  ASSERT_TRUE(look(watch));
+  ASSERT_NE(watch.error(), "");
+  fs::rename(folder_ / "away", file());
+  EXPECT_TRUE(look(watch));
+  EXPECT_EQ(watch.error(), "");
+  EXPECT_FALSE(watch.replaced());
+}
+
+TEST_F(WatchOfRouDi, TakesOneWhoseRightsHaveChangedForTheSame) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  fs::permissions(file(), fs::perms::owner_all);
+  EXPECT_FALSE(look(watch));
+  EXPECT_FALSE(watch.replaced());
+}
+
+TEST_F(WatchOfRouDi, SeesAnotherOneInItsPlaceAndKeepsTheError) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  crash();
+  ASSERT_TRUE(look(watch));
+  start_another();
+  EXPECT_FALSE(look(watch));
+  EXPECT_TRUE(watch.replaced());
+  EXPECT_NE(watch.error(), "") << "until the restart";
+}
+
+TEST_F(WatchOfRouDi, SeesAnotherOneThatCameBetweenTwoLooks) {
+  RouDiWatch watch(Transport::shared_memory, file());
+  ASSERT_FALSE(look(watch));
+  start_another();
+  EXPECT_FALSE(look(watch));
+  EXPECT_TRUE(watch.replaced());
+}
+
+TEST_F(WatchOfRouDi, LooksOnceASecond) {
+  const RouDiWatch::Clock::time_point now(std::chrono::hours(1));
+  RouDiWatch watch(Transport::shared_memory, file());
+  EXPECT_FALSE(watch.update(now));
+  crash();
+  EXPECT_FALSE(watch.update(now + std::chrono::milliseconds(999)));
+  EXPECT_TRUE(watch.update(now + std::chrono::seconds(1)));
+}
+
+TEST_F(WatchOfRouDi, MindsNoRouDiWhereTheNetworkCarriesTheClouds) {
+  RouDiWatch watch(Transport::network, file());
+  crash();
+  EXPECT_FALSE(look(watch));
+  start_another();
+  EXPECT_FALSE(look(watch));
+  EXPECT_EQ(watch.error(), "");
+  EXPECT_FALSE(watch.replaced());
+}
+
+}  // namespace
+}  // namespace cleave
