@@ -73,7 +73,7 @@ Method our_method(std::string name, const Options& options) {
   try {
     segmentation::check_options(options);
   } catch (const std::invalid_argument& error) {
-    throw OptionError(name + ": " + error.what());
+    throw OptionError(error.what());
   }
   return {.name = std::move(name), .make_runner = [options](float grid_offset) {
             Options shifted = options;

@@ -46,12 +46,12 @@ class ForeignBag : public testing::Test {
 };
 
 TEST_F(ForeignBag, IsConvertedToPcdAndToARecordingOfOurs) {
-  EXPECT_EQ(tests::run_command(add_convert_command, {"convert", bag_, out_}), exit_done);
+  EXPECT_EQ(tests::run_command(client::add_convert_command, {"convert", bag_, out_}), exit_done);
   const PcdCloud pcd = PcdCloud::read(out_ / "frame_000003.pcd");
   const recording::Cloud expected = recording::depth_cloud(3);
   EXPECT_TRUE(recording::same_points({pcd.xyz().begin(), pcd.xyz().end()}, expected.xyz));
   const std::string ours = folder_.path() / "ours.mcap";
-  EXPECT_EQ(tests::run_command(add_convert_command,
+  EXPECT_EQ(tests::run_command(client::add_convert_command,
                                {"convert", "mcap:" + bag_.string() + "?topic=/points", ours}),
             exit_done);
   const std::vector<recording::Frame> frames = recording::read_frames(ours);
@@ -83,11 +83,11 @@ TEST_F(ForeignBag, LeavesOutWhatARecordingCannotHoldAndKeepsNoEmptyFile) {
       .add("/points", recording::ros::cloud_type, 1,
            bytes_of_cloud(cloud_of(std::vector<float>(3 * 848 * 480, 1), 848, 480)))
       .close();
-  EXPECT_EQ(
-      tests::run_command(add_convert_command, {"convert", large, folder_.path() / "ours.mcap"}),
-      exit_failed);
+  EXPECT_EQ(tests::run_command(client::add_convert_command,
+                               {"convert", large, folder_.path() / "ours.mcap"}),
+            exit_failed);
   EXPECT_FALSE(fs::exists(folder_.path() / "ours.mcap"));
-  EXPECT_EQ(tests::run_command(add_convert_command, {"convert", large, out_}), exit_done);
+  EXPECT_EQ(tests::run_command(client::add_convert_command, {"convert", large, out_}), exit_done);
   EXPECT_THROW((void)update(large), recording::FileError);
   EXPECT_FALSE(fs::exists(golden_));
 }

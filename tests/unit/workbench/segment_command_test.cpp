@@ -65,7 +65,7 @@ TEST(SegmentCommand, RefusesACloudWithoutAFinitePointAndWritesNothing) {
 }
 
 // A camera's view of a slope, `scale` units a metre.
-std::string slope(double scale) {
+std::string slope_as_text(double scale) {
   std::string text =
       "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 40\nHEIGHT 30\nPOINTS 1200\n"
       "DATA ascii\n";
@@ -79,7 +79,7 @@ std::string slope(double scale) {
 
 TEST(SegmentCommand, RefusesMillimetresAndNamesTheOptionThatScalesThem) {
   const tests::TemporaryFolder folder;
-  const auto input = folder.file("in.pcd", slope(1000));
+  const auto input = folder.file("in.pcd", slope_as_text(1000));
   const auto output = folder.path() / "out.pcd";
 
   try {
@@ -93,7 +93,7 @@ TEST(SegmentCommand, RefusesMillimetresAndNamesTheOptionThatScalesThem) {
 
 TEST(SegmentCommand, ScalesByTheUnitAndWritesTheFilesOwnCoordinates) {
   const tests::TemporaryFolder folder;
-  const auto input = folder.file("in.pcd", slope(1000));
+  const auto input = folder.file("in.pcd", slope_as_text(1000));
   const auto output = folder.path() / "out.pcd";
 
   testing::internal::CaptureStdout();

@@ -91,7 +91,7 @@ TEST_F(Verify, TellsWhatChangedInASegment) {
   change_golden([](recording::Frame& frame) {
     auto* const list = std::get_if<recording::SegmentList>(&frame.content);
     if (list == nullptr || list->header.frame_id != 3 || list->segments.empty()) return true;
-    list->segments[0].box_centre[0] += 0.25F;
+    list->segments[0].box.centre.x += 0.25F;
     return true;
   });
   EXPECT_FALSE(run(2).passed());
