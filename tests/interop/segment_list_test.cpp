@@ -32,8 +32,8 @@ TEST(FastCdr, ReadsASegmentListOfARecording) {
   for (std::size_t i = 0; i < list.segments.size(); ++i) {
     EXPECT_EQ(read.segments()[i].label(), list.segments[i].label);
     EXPECT_EQ(read.segments()[i].point_count(), list.segments[i].point_count);
-    EXPECT_EQ(read.segments()[i].box().extent().z(), list.segments[i].box_extent[2]);
-    EXPECT_EQ(read.segments()[i].rectangle().bottom(), list.segments[i].rectangle[3]);
+    EXPECT_EQ(read.segments()[i].box().extent().z(), list.segments[i].box.extent.z);
+    EXPECT_EQ(read.segments()[i].rectangle().bottom(), list.segments[i].rectangle.bottom);
     EXPECT_EQ(read.segments()[i].planarity(), list.segments[i].planarity);
   }
   ASSERT_EQ(read.borders().size(), list.borders.size());

@@ -152,8 +152,8 @@ TEST_F(RecordedUnit, RecordedSegmentsAreScaledWithTheirClouds) {
   const auto frames = recording::read_frames(mcap_);
   const auto& after = std::get<recording::SegmentList>(frames.back().content);
   ASSERT_EQ(after.segments.size(), before.segments.size());
-  EXPECT_FLOAT_EQ(after.segments[0].centroid[2], before.segments[0].centroid[2] / 100);
-  EXPECT_FLOAT_EQ(after.segments[0].box_extent[0], before.segments[0].box_extent[0] / 100);
+  EXPECT_FLOAT_EQ(after.segments[0].centroid.z, before.segments[0].centroid.z / 100);
+  EXPECT_FLOAT_EQ(after.segments[0].box.extent.x, before.segments[0].box.extent.x / 100);
   EXPECT_EQ(after.segments[0].mean_normal, before.segments[0].mean_normal);
 }
 
