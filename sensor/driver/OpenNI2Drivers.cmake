@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian's OpenNI2 looks for drivers in OpenNI2/Drivers beside the place it was loaded from, and
-# nowhere else. openni2/ in the build tree is such a place: the system's library and camera drivers
-# by symbolic link, and our synthetic camera.
-set(CLEAVE_OPENNI2_DIR "${PROJECT_BINARY_DIR}/openni2")
+# nowhere else. openni2/ beside the programs is such a place: the system's library and camera drivers
+# by symbolic link, and our synthetic camera. An installation has it in lib/cleave.
+set(CLEAVE_OPENNI2_DIR "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/openni2")
 set(CLEAVE_OPENNI2_DRIVER_DIR "${CLEAVE_OPENNI2_DIR}/OpenNI2/Drivers")
 
 file(REAL_PATH "${openni2_LIBRARY}" openni2_library)
@@ -23,7 +23,8 @@ endforeach()
 # cameras and the synthetic camera without any environment variable.
 function(cleave_use_openni2 target)
   target_link_libraries(${target} PRIVATE cleave_openni2)
-  set_property(TARGET ${target} APPEND PROPERTY BUILD_RPATH "$ORIGIN/../openni2")
+  set_property(TARGET ${target} APPEND PROPERTY BUILD_RPATH
+    "$ORIGIN/openni2" "$ORIGIN/../lib/cleave/openni2")
   add_dependencies(${target} cleave_synthetic_driver)
   if(CLEAVE_SANITIZE)
     target_sources(${target} PRIVATE "${PROJECT_SOURCE_DIR}/sensor/driver/openni2_sanitizers.cpp")

@@ -12,23 +12,22 @@
 #include <string>
 #include <vector>
 
+#include "libcleave/process/companion.hpp"
+
 namespace cleave::client {
 namespace {
 
 [[noreturn]] void run_workbench(std::string command, std::vector<std::string> words) {
-  const auto program =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cleave-workbench";
+  const std::filesystem::path program =
+      companion("cleave-workbench", "'cleave " + command +
+                                        "' is run by that program: install the package "
+                                        "cleave-workbench, or build the target of that name");
   words.insert(words.begin(), {program.string(), std::move(command)});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());
-  const int error = errno;
-  throw std::runtime_error(
-      "'cleave " + words[1] + "' is run by " + program.string() +
-      ", which cannot be started: " + std::strerror(error) +
-      (error == ENOENT ? "; install the package cleave-workbench, or build the target of that name"
-                       : ""));
+  throw std::runtime_error("cannot start " + program.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ inline constexpr std::array<WorkbenchCommand, 5> workbench_commands{{
     {"study", "The thesis's parameter studies anew, drawn with gnuplot"},
 }};
 
-// Each hands over all words behind its name, --help as well, to the program beside this one. The
-// action does not return; it throws std::runtime_error, with what to install, where there is none.
+// Each hands over all words behind its name, --help as well, to that program. The action does
+// not return; it throws std::runtime_error, with what to install, where there is none.
 void add_workbench_commands(CLI::App& app, Action& action);
 
 }  // namespace cleave::client

@@ -5,12 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "libcleave/process/companion.hpp"
 #include "sensor/sources/openni2/openni2_library.hpp"
 
 namespace cleave::sensor {
 namespace {
 
 constexpr std::string_view serial_prefix = "serial=";
+constexpr std::string_view synthetic_prefix = "synthetic:";
+constexpr char synthetic_driver[] = "openni2/OpenNI2/Drivers/libCleaveSynthetic.so.0";
 
 std::vector<std::string> listed_uris() {
   openni::Array<openni::DeviceInfo> devices;
@@ -57,6 +60,12 @@ OpenResult open_device(openni::Device& device, const std::string& uri) {
   const std::string reason = openni2_error();  // before another call makes OpenNI2 forget it
   // Without a URI, the status is the same where no camera is and where it cannot be had.
   const bool there = status != openni::STATUS_NO_DEVICE && !listed_uris().empty();
+  if (!there && uri.starts_with(synthetic_prefix) && !find_companion(synthetic_driver)) {
+    return {missing_companion(synthetic_driver,
+                              "it is the synthetic camera: build the target "
+                              "cleave_synthetic_driver, or install cleave-grabber anew"),
+            false};
+  }
   return {explain_open(uri, reason, there), there};
 }
 

@@ -4,22 +4,14 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "console/table.hpp"
 #include "segmentation/option_visitor.hpp"
+#include "workbench/cloud/parse_number.hpp"
 
 namespace cleave::workbench {
 namespace {
-
-template <class Number>
-std::optional<Number> parsed(std::string_view text) {
-  Number value{};
-  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stopped != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 template <class Choices>
 std::string joined(const Choices& choices) {
@@ -38,7 +30,7 @@ class Setter {
 
   void number(std::string_view name, float& value, double min, double max, std::string_view) {
     if (!is_meant(name)) return;
-    const auto given = parsed<double>(value_);
+    const auto given = parse_number<double>(value_);
     if (!given || !(*given >= min && *given <= max)) {
       refuse(fmt::format("a number from {} to {}", min, max));
     }
@@ -47,7 +39,7 @@ class Setter {
   void integer(std::string_view name, std::uint32_t& value, std::uint32_t min, std::uint32_t max,
                std::string_view) {
     if (!is_meant(name)) return;
-    const auto given = parsed<std::uint32_t>(value_);
+    const auto given = parse_number<std::uint32_t>(value_);
     if (!given || *given < min || *given > max) {
       refuse(fmt::format("a whole number from {} to {}", min, max));
     }

@@ -2,10 +2,11 @@
 #include "workbench/cloud/viewpoint.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
+
+#include "workbench/cloud/parse_number.hpp"
 
 namespace cleave::workbench {
 namespace {
@@ -18,12 +19,9 @@ std::vector<double> numbers_in(std::string_view text, char separator) {
   std::vector<double> numbers;
   while (true) {
     const std::string_view word = text.substr(0, text.find(separator));
-    double number = 0;
-    const auto [stopped, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc() || stopped != word.data() + word.size() || !std::isfinite(number)) {
-      return {};
-    }
-    numbers.push_back(number);
+    const auto number = parse_number<double>(word);
+    if (!number || !std::isfinite(*number)) return {};
+    numbers.push_back(*number);
     if (word.size() == text.size()) return numbers;
     text.remove_prefix(word.size() + 1);
   }

@@ -7,23 +7,25 @@
 #include <stdexcept>
 #include <string>
 
+#include "libcleave/process/companion.hpp"
 #include "workbench/peers/module.hpp"
 
 namespace cleave::peers {
 namespace {
 
-[[noreturn]] void refuse(const std::string& module) {
+[[noreturn]] void refuse(const std::filesystem::path& module) {
   const char* const reason = dlerror();
-  throw std::runtime_error("PCL's methods cannot be loaded from " + module + ": " +
-                           (reason != nullptr ? reason : "unknown error") +
-                           "; build the target cleave, and keep the file beside the program");
+  throw std::runtime_error("PCL's methods cannot be loaded from " + module.string() + ": " +
+                           (reason != nullptr ? reason : "unknown error"));
 }
 
 // It stays loaded until the program ends.
 template <class Function>
 Function* find(const char* name) {
-  const std::string module =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "libcleave_peers.so";
+  const std::filesystem::path module =
+      companion("libcleave_peers.so",
+                "it holds PCL's methods: install the package cleave-workbench, or build the target "
+                "cleave_peers_module");
   void* const library = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) refuse(module);
   void* const function = dlsym(library, name);

@@ -21,7 +21,7 @@ namespace cleave::peers {
 [[nodiscard]] std::unique_ptr<Peer> make_pcl_ssc(const segmentation::Options& options,
                                                  const SupervoxelParameters& supervoxels = {});
 
-// All throw std::runtime_error when libcleave_peers.so, which lies beside the program, cannot be
-// loaded.
+// All throw std::runtime_error when libcleave_peers.so, which comes with the program
+// (libcleave/process/companion.hpp), cannot be loaded.
 
 }  // namespace cleave::peers

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "libcleave/process/companion.hpp"
 #include "workbench/studies/program.hpp"
 
 namespace cleave::workbench {
@@ -13,20 +15,15 @@ namespace {
 constexpr std::uint32_t first_seed = 530001;  // section 5.3
 
 void render(const std::filesystem::path& folder, const std::string& preset, std::uint32_t count) {
-  const auto renderer =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cleave-render";
+  const std::filesystem::path renderer =
+      companion("cleave-render",
+                "it renders the scenes: build the target of that name, or name a folder of "
+                "labelled scenes");
   const std::string scene = "synthetic:" + preset + "?seed=" + std::to_string(first_seed);
-  switch (run_program({renderer, scene, folder, "--count", std::to_string(count)})) {
-    case ProgramEnd::done:
-      return;
-    case ProgramEnd::not_found:
-      throw std::runtime_error(renderer.string() +
-                               " is not there to render scenes; build the target cleave-render, or "
-                               "name a folder of labelled scenes");
-    case ProgramEnd::failed:
-      throw std::runtime_error(renderer.string() + " could not render scenes into " +
-                               folder.string() + "; what it printed says why");
-  }
+  const std::vector<std::string> words{renderer, scene, folder, "--count", std::to_string(count)};
+  if (run_program(words) == ProgramEnd::done) return;
+  throw std::runtime_error(renderer.string() + " could not render scenes into " + folder.string() +
+                           "; what it printed says why");
 }
 
 }  // namespace

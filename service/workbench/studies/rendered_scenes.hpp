@@ -10,7 +10,7 @@
 namespace cleave::workbench {
 
 // So many scenes of a preset of the renderer ("medium", "crowded"), as PCD files in the folder:
-// those that are there already, else rendered by cleave-render, which lies beside the program.
+// those that are there already, else rendered by cleave-render, which comes with the program.
 // Their seeds are for studies alone: no default is tuned on these scenes or chosen by them. Throws
 // std::runtime_error when they cannot be rendered.
 [[nodiscard]] std::vector<std::filesystem::path> rendered_scenes(

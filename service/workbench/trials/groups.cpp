@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "workbench/trials/groups.hpp"
 
-#include <charconv>
-#include <optional>
+#include "workbench/cloud/parse_number.hpp"
 
 namespace cleave::workbench {
 namespace {
 
-std::optional<std::size_t> parsed(std::string_view text) {
-  std::size_t value = 0;
-  const auto [stopped, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stopped != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 Group parse_group(std::string_view text, std::size_t scenes) {
   const std::size_t dash = text.find('-');
-  const auto first = parsed(text.substr(0, dash));
-  const auto last = dash == std::string_view::npos ? first : parsed(text.substr(dash + 1));
+  const auto first = parse_number<std::size_t>(text.substr(0, dash));
+  const auto last =
+      dash == std::string_view::npos ? first : parse_number<std::size_t>(text.substr(dash + 1));
   if (!first || !last || *first > *last) {
     throw GroupError("expected groups like 0-15,16-23, found '" + std::string(text) + "'");
   }

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "idl/fields.hpp"
+
 namespace cleave::workbench {
 namespace {
 
@@ -49,6 +51,20 @@ double distance_m(const recording::Point& a, const recording::Point& b) {
                     double{a.z} - double{b.z});
 }
 
+// The names of the fields (idl/fields.hpp) in which two are not equal.
+struct Differing {
+  std::string names;
+
+  template <class Value>
+  void number(const char* name, const Value& a, const Value& b) {
+    if (a != b) names.append(names.empty() ? "" : ", ").append(name);
+  }
+  template <class List, class Value>
+  void group(const char* name, const List& /*list*/, const Value& a, const Value& b) {
+    number(name, a, b);
+  }
+};
+
 void compare_segment(const recording::Segment& expected, const recording::Segment& found,
                      std::uint64_t frame_points, const Tolerances& tolerances, Lines& lines) {
   const std::string name = fmt::format("segment {}: ", expected.label);
@@ -70,7 +86,9 @@ void compare_segment(const recording::Segment& expected, const recording::Segmen
   compare_place("its box's centre", found.box.centre, expected.box.centre);
   compare_place("its box's size", found.box.extent, expected.box.extent);
   if (!tolerances.exact() || lines.size() > before || expected == found) return;
-  lines.push_back(name + "its normal, box's orientation, rectangle or planarity differs");
+  Differing differing;
+  fields::segment(differing, expected, found);
+  lines.push_back(fmt::format("{}not the same {}", name, differing.names));
 }
 
 void compare_lists(const recording::SegmentList& expected, const recording::SegmentList& found,

@@ -99,6 +99,19 @@ TEST_F(Verify, TellsWhatChangedInASegment) {
   EXPECT_EQ(found_[0].lines.at(0), "segment 1: its box's centre is off by 250 mm");
 }
 
+TEST_F(Verify, NamesTheFieldsOfASegmentThatAreNotTheSame) {
+  change_golden([](recording::Frame& frame) {
+    auto* const list = std::get_if<recording::SegmentList>(&frame.content);
+    if (list == nullptr || list->header.frame_id != 3 || list->segments.empty()) return true;
+    list->segments[0].mean_normal.x += 0.25F;
+    list->segments[0].planarity /= 2;
+    return true;
+  });
+  EXPECT_FALSE(run(2).passed());
+  ASSERT_EQ(found_.size(), 1U);
+  EXPECT_EQ(found_[0].lines.at(0), "segment 1: not the same mean_normal, planarity");
+}
+
 TEST_F(Verify, FindsFramesThatAreMissingOnEitherSide) {
   change_golden([](const recording::Frame& frame) { return frame.header().frame_id != 5; });
   const VerificationResult result = run(2);
