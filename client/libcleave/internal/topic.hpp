@@ -9,7 +9,8 @@
 
 namespace cleave {
 
-// Bulk: what travels in shared memory. Public: what any DDS client reads (`public` is a word of C++).
+// Bulk: what travels in shared memory. Public: what any DDS client reads (`public` is a word of
+// C++).
 enum class Domain { bulk, public_domain };
 
 struct Topic {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// recording::Frame: what recordings hold, free of any transport: one message, be it a cloud, a label
-// map or a segment list. The contract's types in plain C++, with the members that idl/fields.hpp
-// visits.
+// recording::Frame: what recordings hold, free of any transport: one message, be it a cloud, a
+// label map or a segment list. The contract's types in plain C++, with the members that
+// idl/fields.hpp visits.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where `cleave convert` and `cleave segment` take frames from. A new kind of input is one more file
-// here, a line in open_frame_source(), and its ending in is_recording().
+// Where `cleave convert` and `cleave segment` take frames from. A new kind of input is one more
+// file here, a line in open_frame_source(), and its ending in is_recording().
 #pragma once
 
 #include <cstddef>
