@@ -161,8 +161,8 @@ TEST_F(RecordedUnit, AnOniFileHasAUnitOfItsOwnAndIsGivenNone) {
   oni::test::OniFile recording;
   recording.frames = {oni::test::example_image(recording.width, recording.height, 1)};
   const fs::path oni = folder_.file("a.oni", recording.bytes());
-  EXPECT_THROW((void)convert({oni, mcap_, "--unit", "mm"}), UsageError);
-  EXPECT_THROW((void)segment({oni, out_, "--unit", "mm"}), UsageError);
+  EXPECT_THROW((void)convert({oni, mcap_, "--unit", "mm"}), recording::UnknownInput);
+  EXPECT_THROW((void)segment({oni, out_, "--unit", "mm"}), recording::UnknownInput);
 }
 
 }  // namespace
