@@ -17,7 +17,7 @@ VideoConfig read_video_config(Section& file, std::uint32_t decimate) {
   Section section = file.section("video");
   section.integer("width", config.width, 16, 4096);
   section.integer("height", config.height, 16, 4096);
-  if (config.width / decimate * (config.height / decimate) > capacity_points) {
+  if (std::uint64_t{config.width / decimate} * (config.height / decimate) > capacity_points) {
     section.refuse("height", "at most " + std::to_string(capacity_points) + " (" + capacity_text() +
                                  ") pixels in all, once decimated");
   }
