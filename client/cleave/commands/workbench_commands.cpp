@@ -24,6 +24,7 @@ namespace {
                                         "cleave-workbench, or build the target of that name");
   words.insert(words.begin(), {program.string(), std::move(command)});
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   execv(program.c_str(), arguments.data());
