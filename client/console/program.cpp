@@ -35,11 +35,10 @@ int failed(const std::exception& error, int code) {
 
 }  // namespace
 
-int run_command_line(int argc, char** argv, std::string_view version,
-                     DescribeCommandLine describe) {
+int run_program(const Action& program) {
   try {
     init_logging("cleave");
-    return parse_and_run(argc, argv, version, describe);
+    return program();
   } catch (const UsageError& error) {
     return failed(error, exit_wrong_usage);
   } catch (const recording::UnknownInput& error) {
@@ -47,6 +46,11 @@ int run_command_line(int argc, char** argv, std::string_view version,
   } catch (const std::exception& error) {
     return failed(error, exit_failed);
   }
+}
+
+int run_command_line(int argc, char** argv, std::string_view version,
+                     DescribeCommandLine describe) {
+  return run_program([&] { return parse_and_run(argc, argv, version, describe); });
 }
 
 }  // namespace cleave

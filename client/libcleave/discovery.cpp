@@ -100,11 +100,11 @@ class DomainListener {
 
 std::vector<Endpoint> discover(Stream& stream, std::chrono::milliseconds listen) {
   const DomainListener bulk(stream.bulk_participant(), Domain::bulk);
-  const DomainListener foreign(stream.public_participant(), Domain::public_domain);
+  const DomainListener public_listener(stream.public_participant(), Domain::public_domain);
   std::this_thread::sleep_for(listen);
   std::vector<Endpoint> endpoints;
   bulk.collect(endpoints);
-  foreign.collect(endpoints);
+  public_listener.collect(endpoints);
   std::sort(endpoints.begin(), endpoints.end(), [](const Endpoint& a, const Endpoint& b) {
     return std::tie(a.topic, b.writes, a.process) < std::tie(b.topic, a.writes, b.process);
   });

@@ -42,7 +42,7 @@ bool RouDiWatch::update(Clock::time_point now) {
   next_look_ = now + look_interval;
   const bool answers = connection_error(socket_) == 0;
   if (answers && identity_of(socket_) != identity_) {
-    spdlog::warn("another RouDi runs: only a restart joins it");
+    spdlog::warn("another RouDi runs: only a process that starts anew joins it");
     replaced_ = true;
     return false;
   }

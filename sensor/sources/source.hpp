@@ -42,7 +42,7 @@ enum class Poll {
 // Since construction.
 struct SourceCounts {
   std::uint64_t sensor_drops = 0;                 // frames that the device numbered and nobody got
-  std::map<std::string, std::uint64_t> unusable;  // files, by cause
+  std::map<std::string, std::uint64_t> unusable;  // files or frames, by cause
 };
 
 // What failed, why, and what to do about it; empty = nothing failed.

@@ -31,6 +31,7 @@ struct Readers {
 
 // What is not listed, all algorithms read; of two that fit, the first counts.
 constexpr std::array readers = {
+    Readers{"representation", on_supervoxels},  // svc cuts voxels
     Readers{"supervoxel.", on_supervoxels},
     // Convex components are cut nowhere, and their small segments join by weight alone.
     Readers{"graph.cannot_link_rad", on_cut_supervoxels},
@@ -103,36 +104,33 @@ std::string names_of_readers(std::string_view option, const Texts& texts) {
   return readers_of_it;
 }
 
-// Places of the options that nothing reads and that are not as in the preset.
-std::vector<std::size_t> set_in_vain(const Texts& given, const Options& options,
-                                     const Options& preset) {
-  const Texts expected(preset);
-  std::vector<std::size_t> in_vain;
-  for (std::size_t i = 0; i < given.names.size(); ++i) {
-    const bool read = is_read(given.names[i], options.algorithm) &&
-                      !(given.names[i] == of_voxels_alone && images_become_cells(options));
-    if (!read && given.values[i] != expected.values[i]) in_vain.push_back(i);
-  }
-  return in_vain;
+// Whether the i-th option counts for nothing and is as no preset has it.
+bool is_set_in_vain(std::size_t i, const Texts& given, const Options& options,
+                    const std::vector<Texts>& presets) {
+  const std::string_view name = given.names[i];
+  const bool read = is_read(name, options.algorithm) &&
+                    !(name == of_voxels_alone && images_become_cells(options));
+  return !read && std::ranges::none_of(
+                      presets, [&](const Texts& p) { return p.values[i] == given.values[i]; });
 }
 
 }  // namespace
 
-std::optional<IgnoredOption> find_ignored_option(const Options& options) {
+std::optional<IgnoredOption> find_ignored_option(const Options& options,
+                                                 std::span<const Options> presets) {
   const Texts given(options);
-  const auto in_vain = set_in_vain(given, options, Options{});
-  const auto in_vain_on_thesis = set_in_vain(given, options, thesis());
-  const auto& fewest = in_vain_on_thesis.size() < in_vain.size() ? in_vain_on_thesis : in_vain;
-  if (fewest.empty()) return std::nullopt;
+  const std::vector<Texts> expected(presets.begin(), presets.end());
+  std::size_t i = 0;
+  while (i < given.names.size() && !is_set_in_vain(i, given, options, expected)) ++i;
+  if (i == given.names.size()) return std::nullopt;
 
-  const std::string name(given.names[fewest.front()]);
-  const std::string& value = given.values[fewest.front()];
+  const std::string name(given.names[i]);
   if (is_read(name, options.algorithm)) {
-    return IgnoredOption{name, value, "images become cells, which do not read it",
+    return IgnoredOption{name, given.values[i], "images become cells, which do not read it",
                          "set representation to voxels"};
   }
   const std::string algorithm(given.algorithms[static_cast<std::size_t>(options.algorithm)]);
-  return IgnoredOption{name, value, "algorithm " + algorithm + " does not read it",
+  return IgnoredOption{name, given.values[i], "algorithm " + algorithm + " does not read it",
                        "set algorithm to " + names_of_readers(name, given)};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "segmentation/options.hpp"
@@ -17,10 +18,11 @@ struct IgnoredOption {
 };
 
 // The first option, in the order of visit_options, that the algorithm or the representation does
-// not read although it has another value than in the preset, Options{} or thesis(), that the rest
-// of these come from: a preset sets options of all algorithms, and who chooses one has not asked
-// for the others. One that counts for some clouds only is ignored if an image does not read it.
-// Each option is in its range. Deterministic; allocates.
-[[nodiscard]] std::optional<IgnoredOption> find_ignored_option(const Options& options);
+// not read although no preset gives it its value: the preset that these options began as, Options{}
+// or thesis(), sets those of all algorithms, and who chooses one has not asked for the others; who
+// does not know which it was names both. One that counts for some clouds only is ignored if an
+// image does not read it. Each option is in its range. Deterministic; allocates.
+[[nodiscard]] std::optional<IgnoredOption> find_ignored_option(const Options& options,
+                                                               std::span<const Options> presets);
 
 }  // namespace cleave::segmentation

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "segmentation/option_checks.hpp"
 
+#include <array>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -36,15 +38,23 @@ struct RangeCheck {
   }
 };
 
-}  // namespace
-
-void check_options(const Options& options) {
+void check_all(const Options& options, std::span<const Options> presets) {
   Options copy = options;  // visit_options hands out references
   visit_options(copy, RangeCheck{});
-  if (const auto ignored = find_ignored_option(options)) {
+  if (const auto ignored = find_ignored_option(options, presets)) {
     throw std::invalid_argument("segmentation option " + ignored->name + " is " + ignored->value +
                                 ", but " + ignored->why + ": leave it out, or " + ignored->remedy);
   }
+}
+
+}  // namespace
+
+void check_options(const Options& options, const Options& preset) {
+  check_all(options, {&preset, 1});
+}
+
+void check_options(const Options& options) {
+  check_all(options, std::array{Options{}, thesis()});
 }
 
 }  // namespace cleave::segmentation

@@ -7,7 +7,10 @@
 namespace cleave::segmentation {
 
 // Throws std::invalid_argument that names the first option out of its range, and the range; or the
-// first one that what was chosen does not read (ignored_options).
+// first one that what was chosen does not read (ignored_options), of options that began as
+// `preset`.
+void check_options(const Options& options, const Options& preset);
+// As Options{} or as thesis(), whichever.
 void check_options(const Options& options);
 
 }  // namespace cleave::segmentation

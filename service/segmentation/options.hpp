@@ -122,7 +122,7 @@ struct DescribeOptions {
 };
 
 // An algorithm reads some of them: what it would ignore is refused where it is set to a value that
-// neither preset gives it (ignored_options).
+// its preset does not give it (ignored_options).
 struct Options {
   Algorithm algorithm = Algorithm::ssc;
   Representation representation = Representation::cells;

@@ -2,6 +2,7 @@
 #include "segmenter/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <thread>
 
@@ -23,7 +24,8 @@ segmentation::Options read_options(config::Section section) {
   segmentation::Options options;
   OptionBinder binder(section);
   segmentation::visit_options(options, binder);
-  if (const auto ignored = segmentation::find_ignored_option(options)) {
+  if (const auto ignored =
+          segmentation::find_ignored_option(options, std::array{segmentation::Options{}})) {
     binder.refuse(ignored->name, "no value, as " + ignored->why + " (or " + ignored->remedy + ")");
   }
   return options;

@@ -73,6 +73,16 @@ TEST_F(CopiedPrograms, FindWhatIsInLibCleaveAsAnInstallationHasIt) {
   expect_all_found();
 }
 
+TEST_F(CopiedPrograms, HandOverEveryWordAsItIs) {
+  copy({"cleave", "cleave-workbench"}, "bin");
+  const fs::path in = folder_.path() / "cloud.pcd";
+  const fs::path out = folder_.path() / "labelled.pcd";
+  write_pcd(in, 80, 60);
+  Process segment = run("cleave", {"segment", "--json", "--", in.string(), out.string()});
+  EXPECT_EQ(segment.wait(), 0) << segment.log();
+  EXPECT_TRUE(fs::exists(out));
+}
+
 TEST_F(CopiedPrograms, SayWhereTheyLookedForAProgramThatIsNotThere) {
   copy({"cleave"}, "bin");
   Process segment = run("cleave", {"segment", "--help"});

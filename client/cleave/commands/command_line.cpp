@@ -43,7 +43,7 @@ void describe_command_line(CLI::App& app, Action& action) {
   add_info_command(app, action);
   add_convert_command(app, action);
   add_recover_command(app, action);
-  add_workbench_commands(app, action);
+  add_workbench_commands(app);
 }
 
 }  // namespace cleave::client

@@ -10,38 +10,29 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "libcleave/process/companion.hpp"
 
 namespace cleave::client {
-namespace {
 
-[[noreturn]] void run_workbench(std::string command, std::vector<std::string> words) {
-  const std::filesystem::path program =
-      companion("cleave-workbench", "'cleave " + command +
-                                        "' is run by that program: install the package "
-                                        "cleave-workbench, or build the target of that name");
-  words.insert(words.begin(), {program.string(), std::move(command)});
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(program.c_str(), arguments.data());
-  throw std::runtime_error("cannot start " + program.string() + ": " + std::strerror(errno));
+void add_workbench_commands(CLI::App& app) {
+  for (const auto& [name, description] : workbench_commands) {
+    app.add_subcommand(std::string(name), std::string(description));
+  }
 }
 
-}  // namespace
+bool is_workbench_command(std::string_view word) {
+  return std::ranges::find(workbench_commands, word, &WorkbenchCommand::name) !=
+         workbench_commands.end();
+}
 
-void add_workbench_commands(CLI::App& app, Action& action) {
-  for (const auto& [name, description] : workbench_commands) {
-    CLI::App* command = app.add_subcommand(std::string(name), std::string(description));
-    command->set_help_flag();  // --help is the other program's as well
-    command->prefix_command();
-    command->callback([command, &action] {
-      action = [command]() -> int { run_workbench(command->get_name(), command->remaining()); };
-    });
-  }
+void run_workbench(char** words) {
+  const std::filesystem::path program =
+      companion("cleave-workbench", "'cleave " + std::string(words[1]) +
+                                        "' is run by that program: install the package "
+                                        "cleave-workbench, or build the target of that name");
+  execv(program.c_str(), words);
+  throw std::runtime_error("cannot start " + program.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace cleave::client

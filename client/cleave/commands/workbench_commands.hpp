@@ -7,7 +7,9 @@
 #include <array>
 #include <string_view>
 
-#include "console/command.hpp"
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 has named it
+class App;
+}
 
 namespace cleave::client {
 
@@ -24,8 +26,14 @@ inline constexpr std::array<WorkbenchCommand, 5> workbench_commands{{
     {"study", "The thesis's parameter studies anew, drawn with gnuplot"},
 }};
 
-// Each hands over all words behind its name, --help as well, to that program. The action does
-// not return; it throws std::runtime_error, with what to install, where there is none.
-void add_workbench_commands(CLI::App& app, Action& action);
+// For --help, which lists them.
+void add_workbench_commands(CLI::App& app);
+
+[[nodiscard]] bool is_workbench_command(std::string_view word);
+
+// Becomes that program with all of these words, as main() has them, untouched: what an option is,
+// and what `--` means, is for that program to say. Does not return; throws std::runtime_error,
+// with what to install, where there is none.
+[[noreturn]] void run_workbench(char** words);
 
 }  // namespace cleave::client

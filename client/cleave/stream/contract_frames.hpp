@@ -9,14 +9,15 @@
 
 namespace cleave::client {
 
-// From what came over the stream. Throw recording::DataError for a frame of a size that cannot be:
-// 0 points, or more than the contract's capacity.
+// From what came over the stream. A cloud's and a label map's throw recording::DataError for a size
+// that cannot be: 0 points, or more than the contract's capacity.
 [[nodiscard]] recording::FrameHeader frame_of(const FrameHeader& header);
 [[nodiscard]] recording::Cloud frame_of(const DepthCloud& cloud);
 [[nodiscard]] recording::Labels frame_of(const LabelMap& labels);
 [[nodiscard]] recording::SegmentList frame_of(const SegmentList& list);
 
-// Into memory that is to be published. The header's names and sizes have been checked.
+// Into memory that is to be published, in which the points have room. Throw recording::DataError
+// for a name of more than 63 characters.
 void fill(FrameHeader& message, const recording::FrameHeader& header);
 void fill(DepthCloud& message, const recording::Cloud& cloud);
 void fill(LabelMap& message, const recording::Labels& labels);
@@ -24,6 +25,7 @@ void fill(LabelMap& message, const recording::Labels& labels);
 // A SegmentList and the memory of its sequences.
 class SegmentListMessage {
  public:
+  // Throws as fill() does.
   explicit SegmentListMessage(const recording::SegmentList& list);
   SegmentListMessage(const SegmentListMessage&) = delete;
   SegmentListMessage& operator=(const SegmentListMessage&) = delete;

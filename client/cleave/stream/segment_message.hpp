@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Segment lists for people and for programs.
+// Segment lists for people.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spectral Voxel Clustering (section 4.1.1): each voxel is a supervoxel, and neighbours are joined.
+// Spectral Voxel Clustering (section 4.2): each voxel is a supervoxel, and neighbours are joined.
 #pragma once
 
 #include "segmentation/voxels/voxel_graph.hpp"

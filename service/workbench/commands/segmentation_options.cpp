@@ -23,12 +23,13 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
 }
 
 segmentation::Options options_of(const SegmentationArguments& arguments) {
-  segmentation::Options options =
+  const segmentation::Options preset =
       arguments.thesis ? segmentation::thesis() : segmentation::Options{};
+  segmentation::Options options = preset;
   try {
     if (!arguments.algorithm.empty()) set_option(options, "algorithm=" + arguments.algorithm);
     for (const std::string& setting : arguments.settings) set_option(options, setting);
-    segmentation::check_options(options);
+    segmentation::check_options(options, preset);
   } catch (const OptionError& error) {
     throw UsageError(error.what());
   } catch (const std::invalid_argument& error) {

@@ -70,7 +70,7 @@ std::vector<Method> methods_of(const Study& study, const std::vector<std::string
   std::vector<Method> methods;
   for (const double x : study.x) {
     set_option(options, fmt::format("{}={}", study.option, x * study.unit));
-    methods.push_back(our_method(fmt::format("{}", x), options));
+    methods.push_back(our_method(fmt::format("{}", x), options, segmentation::thesis()));
   }
   return methods;
 }

@@ -60,18 +60,19 @@ bool is_algorithm(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Method ours(const std::string& name, const std::string& algorithm, Options options,
+Method ours(const std::string& name, const std::string& algorithm, const Options& preset,
             const std::vector<std::string>& settings) {
+  Options options = preset;
   set_option(options, "algorithm=" + algorithm);
   for (const std::string& setting : settings) set_option(options, setting);
-  return our_method(name, options);
+  return our_method(name, options, preset);
 }
 
 }  // namespace
 
-Method our_method(std::string name, const Options& options) {
+Method our_method(std::string name, const Options& options, const Options& preset) {
   try {
-    segmentation::check_options(options);
+    segmentation::check_options(options, preset);
   } catch (const std::invalid_argument& error) {
     throw OptionError(error.what());
   }

@@ -19,7 +19,9 @@ struct Method {
   bool has_grid_offset = true;  // PCL's grid lies where the cloud puts it: one run a cloud
 };
 
-[[nodiscard]] Method our_method(std::string name, const segmentation::Options& options);
+// `options` began as `preset`. Throws OptionError for one out of its range, or set in vain.
+[[nodiscard]] Method our_method(std::string name, const segmentation::Options& options,
+                                const segmentation::Options& preset);
 
 // An algorithm of ours with our defaults ("ssc", "svc", ..), "thesis" for the thesis's plain SSC,
 // "thesis-" and an algorithm for that with the thesis's values, or one of PCL ("lccp",

@@ -5,7 +5,8 @@
 
 #include <cstdlib>
 
-#include "sensor/renderer/renderer.hpp"
+#include "sensor/renderer/depth_sensor.hpp"
+#include "sensor/renderer/view/ray_cast.hpp"
 
 namespace cleave::render {
 namespace {
@@ -51,7 +52,6 @@ TEST(SceneLoop, IsMadeOfTheRenderersSteps) {
   const DepthSensor sensor(cast_rays(scene, scene.camera, {}));
   SceneLoop silent(parse_scene("simple?seed=3&noise=0"));
   EXPECT_EQ(silent.frame(0).depth_mm, sensor.measure_without_noise().depth_mm);
-  EXPECT_EQ(render(scene, scene.camera, {}, 5).depth_mm, sensor.measure(5).depth_mm);
 }
 
 TEST(SceneLoop, ShowsACameraOfOtherResolutionTheSameScene) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@
 
 namespace cleave::segmentation {
 namespace {
+
+const std::array ours = {Options{}};
+const std::array thesis_alone = {thesis()};
 
 // Sets the option of a name to another value, one of a few; remembers all names.
 struct OptionChanger {
@@ -128,8 +132,8 @@ TEST_P(EveryOption, IsRefusedOrMakesADifference) {
   GTEST_SKIP() << "many segmentations, of kinds that other tests run under the sanitizers";
 #endif
   for (const std::string& name : option_names()) {
-    if (name == "algorithm" || name == "representation") continue;
-    if (find_ignored_option(changed(options_, name, 0))) continue;
+    if (name == "algorithm") continue;
+    if (find_ignored_option(changed(options_, name, 0), ours)) continue;
     EXPECT_TRUE(counts(name)) << name;
   }
 }
@@ -140,23 +144,24 @@ INSTANTIATE_TEST_SUITE_P(
         Choice{"SscOnCells", Algorithm::ssc, Representation::cells},
         Choice{"SscOnVoxels", Algorithm::ssc, Representation::voxels},
         Choice{"ConstrainedSscOnCells", Algorithm::constrained_ssc, Representation::cells},
-        Choice{"Svc", Algorithm::svc, Representation::voxels},
+        Choice{"Svc", Algorithm::svc, Representation::cells},
         Choice{"ConvexComponentsOnCells", Algorithm::convex_components, Representation::cells}),
     [](const auto& choice) { return choice.param.name; });
 
 constexpr std::array every_algorithm = {Algorithm::ssc, Algorithm::constrained_ssc, Algorithm::svc,
                                         Algorithm::convex_components};
 
-std::string ignored_in(const Options& options) {
-  const auto ignored = find_ignored_option(options);
+std::string ignored_in(const Options& options, std::span<const Options> presets = ours) {
+  const auto ignored = find_ignored_option(options, presets);
   return ignored ? ignored->name + "=" + ignored->value : "";
 }
 
 TEST(IgnoredOptions, AreNotThoseThatAPresetSetsForOtherAlgorithms) {
-  for (Options options : {Options{}, thesis()}) {
+  for (const auto& preset : {ours, thesis_alone}) {
+    Options options = preset.front();
     for (const Algorithm algorithm : every_algorithm) {
       options.algorithm = algorithm;
-      EXPECT_EQ(ignored_in(options), "");
+      EXPECT_EQ(ignored_in(options, preset), "");
     }
   }
 }
@@ -170,11 +175,43 @@ TEST(IgnoredOptions, AreFoundOnTopOfEitherPreset) {
   options = thesis();
   options.algorithm = Algorithm::svc;
   options.graph.max_step_m = 0.01F;
-  EXPECT_EQ(ignored_in(options), "graph.max_step_m=0.01");
+  EXPECT_EQ(ignored_in(options, thesis_alone), "graph.max_step_m=0.01");
 
   options = thesis();
   options.partition.cannot_link_weight = 2;
-  EXPECT_EQ(ignored_in(options), "partition.cannot_link_weight=2");
+  EXPECT_EQ(ignored_in(options, thesis_alone), "partition.cannot_link_weight=2");
+}
+
+TEST(IgnoredOptions, AreNoneThatNobodyHasSet) {
+  // More of the thesis's values than of ours, set one by one on top of ours.
+  Options options = thesis();
+  options.algorithm = Algorithm::svc;
+  options.representation = Options{}.representation;
+  options.supervoxel = Options{}.supervoxel;
+  options.graph = Options{}.graph;
+  options.partition.cannot_link_weight = Options{}.partition.cannot_link_weight;
+  options.partition.coarsening_rounds = Options{}.partition.coarsening_rounds;
+  options.partition.utility_threshold = Options{}.partition.utility_threshold;
+  options.convex_components = Options{}.convex_components;
+  options.clean_up = Options{}.clean_up;
+  EXPECT_EQ(ignored_in(options), "");
+}
+
+TEST(IgnoredOptions, OfAPresetThatIsNotKnownAreAsNeitherHasThem) {
+  const std::array either = {Options{}, thesis()};
+  Options options;
+  options.algorithm = Algorithm::svc;
+  options.supervoxel.refit_from_points = false;
+  EXPECT_EQ(ignored_in(options, either), "");
+  options.graph.max_step_m = 0.01F;
+  EXPECT_EQ(ignored_in(options, either), "graph.max_step_m=0.01");
+}
+
+TEST(IgnoredOptions, HoldTheRepresentationOfAnAlgorithmThatCutsVoxels) {
+  Options options = thesis();
+  options.algorithm = Algorithm::svc;
+  options.representation = Representation::cells;
+  EXPECT_EQ(ignored_in(options, thesis_alone), "representation=cells");
 }
 
 TEST(IgnoredOptions, NameTheAlgorithmsThatReadThem) {
@@ -182,7 +219,7 @@ TEST(IgnoredOptions, NameTheAlgorithmsThatReadThem) {
   options.algorithm = Algorithm::constrained_ssc;
   options.partition.eigenvectors = 4;
 
-  const auto ignored = find_ignored_option(options);
+  const auto ignored = find_ignored_option(options, ours);
 
   ASSERT_TRUE(ignored.has_value());
   EXPECT_EQ(ignored->why, "algorithm constrained-ssc does not read it");
@@ -193,7 +230,7 @@ TEST(IgnoredOptions, OfVoxelsAreReadWhereNoImageBecomesCells) {
   Options options;
   options.voxel.neighbourhood = Neighbourhood::faces;
   EXPECT_EQ(ignored_in(options), "voxel.neighbourhood=6");
-  EXPECT_EQ(find_ignored_option(options)->remedy, "set representation to voxels");
+  EXPECT_EQ(find_ignored_option(options, ours)->remedy, "set representation to voxels");
 
   Options voxels = options;
   voxels.representation = Representation::voxels;
