@@ -30,7 +30,8 @@ struct OptionChanger {
   void number(std::string_view option, float& current, double min, double max, std::string_view) {
     if (!is_meant(option)) return;
     const double old = double{current};
-    current = static_cast<float>(std::array{std::min(3 * old, max), old / 3, max, min}[value]);
+    const double less = old > 0 ? old / 3 : max / 1000;  // switches on what is off by default
+    current = static_cast<float>(std::array{std::min(3 * old, max), less, max, min}[value]);
   }
   void integer(std::string_view option, std::uint32_t& current, std::uint32_t min,
                std::uint32_t max, std::string_view) {

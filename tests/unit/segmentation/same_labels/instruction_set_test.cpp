@@ -22,7 +22,9 @@ std::string output_of(const char* program) {
 TEST(Labels, AreTheSameOnEveryInstructionSet) {
   const std::string widest = output_of(CLEAVE_LABEL_HASH);
 
-  EXPECT_EQ(widest.size(), 8 * 17U) << "eight hashes";
+  constexpr std::size_t line = 17;  // a hash of 64 bits
+  EXPECT_GE(widest.size(), 8 * line);
+  EXPECT_EQ(widest.size() % line, 0U) << widest;
   EXPECT_EQ(output_of(CLEAVE_LABEL_HASH_BASELINE), widest);
   EXPECT_EQ(output_of(CLEAVE_LABEL_HASH_UNOPTIMISED), widest);
 }
