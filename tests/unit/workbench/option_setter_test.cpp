@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "segmentation/option_visitor.hpp"
+
 namespace cleave::workbench {
 namespace {
 
