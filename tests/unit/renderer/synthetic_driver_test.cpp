@@ -144,8 +144,10 @@ TEST_F(SyntheticDriver, AMovingCamerasFramesComeInOrderWhileTheRestIsStillRender
   SceneLoop loop(parse_scene("crowded?seed=2&motion=1&frames=600"));
   ASSERT_EQ(stream_.start(), openni::STATUS_OK);
 
+  // A frame is shown again until the next one is rendered.
+  constexpr int patience = 20 * 60;  // frames: 20 s
   std::uint32_t shown = 0;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; shown < 2 && i < patience; ++i) {
     const openni::VideoFrameRef frame = next_frame();
     ASSERT_TRUE(frame.isValid());
     const std::vector<std::uint16_t> depth_mm = depth_of(frame);
@@ -153,7 +155,7 @@ TEST_F(SyntheticDriver, AMovingCamerasFramesComeInOrderWhileTheRestIsStillRender
       ASSERT_LT(++shown, loop.size()) << "frame " << i << " is none of the loop's from there on";
     }
   }
-  EXPECT_GT(shown, 0U) << "it moves";
+  EXPECT_GE(shown, 2U) << "it moves";
 }
 
 TEST_F(SyntheticDriver, ABadSceneIsRefusedWithAReadableError) {
