@@ -12,7 +12,7 @@
 namespace cleave {
 
 void restart_in_place(char** arguments) {
-  spdlog::warn("starting anew in place");
+  spdlog::warn("restarting in place");
   // Sockets and locks of the old RouDi's runtime must not live on in the new program.
   if (::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) != 0) {
     spdlog::warn("cannot close the files of the old process: {}", std::strerror(errno));
