@@ -6,16 +6,13 @@
 #include <functional>
 #include <stdexcept>
 
+#include "libcleave/process/exit_codes.hpp"
+
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11 has named it
 class App;
 }
 
 namespace cleave {
-
-// Exit codes of the program.
-inline constexpr int exit_done = 0;
-inline constexpr int exit_failed = 1;
-inline constexpr int exit_wrong_usage = 2;
 
 // The subcommand that was chosen; returns the exit code, or throws: UsageError for 2, else 1.
 using Action = std::function<int()>;

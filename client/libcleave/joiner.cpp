@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "libcleave/joiner.hpp"
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 
 namespace cleave {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 #include "libcleave/lossless_flow.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "idl/topics.hpp"
+#include "libcleave/process/exit_codes.hpp"
 #include "recording/units/unit.hpp"
 
 namespace cleave::sensor {
@@ -71,7 +72,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return app.exit(error) == 0 ? exit_done : exit_wrong_usage;
   }
   Settings settings{config::load_grabber_config(file, decimate), frames};
   config::GrabberConfig& config = settings.config;

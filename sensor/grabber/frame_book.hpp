@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 #include "libcleave/status.hpp"
 #include "sensor/sources/source.hpp"
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "libcleave/process/exit_codes.hpp"
 #include "libcleave/process/logging.hpp"
 #include "libcleave/process/restart.hpp"
 #include "libcleave/process/sensor_lock.hpp"
@@ -42,7 +43,7 @@ int run(const Settings& settings, std::unique_ptr<Source> source, const StreamOp
   Grabber grabber(grabber_options(settings), stream, *source, shutdown);
   const Ending ending = grabber.run();
   if (ending == Ending::roudi_replaced) restart_in_place(argv);
-  return ending == Ending::done ? 0 : 1;
+  return ending == Ending::done ? exit_done : exit_failed;
 }
 
 int run(int argc, char** argv) {
@@ -60,13 +61,13 @@ int run(int argc, char** argv) {
                argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
-    return 2;
+    return exit_wrong_usage;
   } catch (const std::invalid_argument& error) {  // a source or CLEAVE_DOMAIN
     spdlog::error("{}", error.what());
-    return 2;
+    return exit_wrong_usage;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
-    return 1;
+    return exit_failed;
   }
 }
 

@@ -5,11 +5,10 @@
 
 #include "config/segmenter_config.hpp"
 #include "idl/topics.hpp"
+#include "libcleave/process/exit_codes.hpp"
 
 namespace cleave::service {
 namespace {
-
-constexpr int wrong_usage = 2;
 
 constexpr char examples[] =
     "Examples:\n"
@@ -39,7 +38,7 @@ std::variant<CommandLine, int> parse_command_line(int count, const char* const* 
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_usage;
+    return app.exit(error) == 0 ? exit_done : exit_wrong_usage;
   }
   return line;
 }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "config/section.hpp"
+#include "libcleave/process/exit_codes.hpp"
 #include "libcleave/process/logging.hpp"
 #include "libcleave/process/restart.hpp"
 #include "libcleave/process/shutdown.hpp"
@@ -15,10 +16,6 @@
 #include "segmenter/settings.hpp"
 
 namespace {
-
-constexpr int done = 0;
-constexpr int failed = 1;
-constexpr int wrong_usage = 2;
 
 using namespace cleave::service;
 
@@ -37,15 +34,15 @@ int main(int count, char** arguments) {
     if (const int* const code = std::get_if<int>(&parsed)) return *code;
     if (run(std::get<CommandLine>(parsed)) == Ending::roudi_replaced)
       cleave::restart_in_place(arguments);
-    return done;
+    return cleave::exit_done;
   } catch (const cleave::config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
-    return wrong_usage;
+    return cleave::exit_wrong_usage;
   } catch (const std::invalid_argument& error) {
     spdlog::error("{}", error.what());
-    return wrong_usage;
+    return cleave::exit_wrong_usage;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
-    return failed;
+    return cleave::exit_failed;
   }
 }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "cleave/stream/topic_names.hpp"
 #include "recording/error.hpp"
 
 namespace cleave::client {
@@ -38,18 +39,6 @@ std::string no_room(const std::filesystem::path& path, std::uint64_t left, std::
 }
 
 }  // namespace
-
-const char* topic_of(recording::Kind kind) {
-  switch (kind) {
-    case recording::Kind::cloud:
-      return "cloud";
-    case recording::Kind::labels:
-      return "labels";
-    case recording::Kind::segments:
-      break;
-  }
-  return "segments";
-}
 
 BackgroundWriter::BackgroundWriter(const std::filesystem::path& path, const RecordingLimits& limits)
     : path_(path), limits_(limits), writer_(path), flushed_(Clock::now()) {

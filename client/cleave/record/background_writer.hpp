@@ -24,9 +24,6 @@ struct RecordingLimits {
   std::optional<std::uint64_t> max_file_bytes;
 };
 
-// "cloud", "labels" or "segments": the last part of the topic's name.
-[[nodiscard]] const char* topic_of(recording::Kind kind);
-
 struct RecordingState {
   std::map<recording::Kind, std::uint64_t> written;
   std::map<recording::Kind, std::uint64_t> dropped;  // the disk was too slow

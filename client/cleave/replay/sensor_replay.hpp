@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 #include "libcleave/lossless_flow.hpp"
 #include "libcleave/process/sensor_lock.hpp"
 #include "libcleave/status.hpp"

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "cleave/watch/stream_summary.hpp"
+#include "cleave/stream/stream_summary.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave::client {

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/stream/topic_names.hpp"
 
-#include "cleave/record/background_writer.hpp"
 #include "console/command.hpp"
 
 namespace cleave::client {
+
+const char* topic_of(recording::Kind kind) {
+  switch (kind) {
+    case recording::Kind::cloud:
+      return "cloud";
+    case recording::Kind::labels:
+      return "labels";
+    case recording::Kind::segments:
+      break;
+  }
+  return "segments";
+}
 
 std::set<recording::Kind> kinds_of(const std::vector<std::string>& names) {
   using recording::Kind;

@@ -10,7 +10,10 @@
 
 namespace cleave::client {
 
-// "cloud", "labels", "segments". Throws UsageError, with the names that there are, for any other.
+// "cloud", "labels" or "segments": the last part of the topic's name.
+[[nodiscard]] const char* topic_of(recording::Kind kind);
+
+// Of such names. Throws UsageError, with the names that there are, for any other.
 // Empty: all.
 [[nodiscard]] std::set<recording::Kind> kinds_of(const std::vector<std::string>& names);
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "cleave/stream/stream_summary.hpp"
 #include "cleave/watch/frame_account.hpp"
-#include "cleave/watch/stream_summary.hpp"
 #include "console/json.hpp"
 
 namespace cleave::client {

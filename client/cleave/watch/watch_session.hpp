@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "cleave/stream/stream_summary.hpp"
 #include "cleave/watch/cpu_share.hpp"
 #include "cleave/watch/frame_account.hpp"
-#include "cleave/watch/stream_summary.hpp"
 #include "cleave/watch/watch_end.hpp"
 #include "cleave/watch/watch_report.hpp"
 #include "console/picture/depth_image.hpp"

@@ -9,7 +9,7 @@
 #include <deque>
 #include <optional>
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 
 namespace cleave {
 

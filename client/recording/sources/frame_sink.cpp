@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idl/frame_key.hpp"
 #include "recording/frames/frame_writer.hpp"
 #include "recording/pcd/writer.hpp"
 
@@ -56,8 +57,7 @@ class PcdSink : public FrameSink {
   void add(const Labels& labels) {
     const auto belongs = [&](const Cloud& cloud) {
       return cloud.header.sensor == labels.header.sensor &&
-             cloud.header.epoch == labels.header.epoch &&
-             cloud.header.frame_id == labels.header.frame_id &&
+             key_of(cloud.header) == key_of(labels.header) &&
              cloud.header.points() == labels.label.size();
     };
     if (std::ranges::none_of(waiting_, belongs)) return;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "libcleave/frame_key.hpp"
+#include "idl/frame_key.hpp"
 #include "segmenter/pipeline/causes.hpp"
 
 namespace cleave::service {

@@ -126,15 +126,15 @@ Lines differences(const GoldenFrame& expected, const SegmentedCloud& found,
 GoldenFrames::GoldenFrames(const std::filesystem::path& file)
     : reader_(file, {{recording::Kind::labels, recording::Kind::segments}, "", 0, {}}) {}
 
-GoldenFrames::Key GoldenFrames::key_of(const recording::FrameHeader& header) {
-  return {header.sensor, header.epoch, header.frame_id};
+GoldenFrames::Key GoldenFrames::place_of(const recording::FrameHeader& header) {
+  return {header.sensor, key_of(header)};
 }
 
 // False at the end.
 bool GoldenFrames::read_one() {
   auto frame = reader_.next();
   if (!frame) return false;
-  GoldenFrame& golden = waiting_[key_of(frame->header())];
+  GoldenFrame& golden = waiting_[place_of(frame->header())];
   if (frame->kind() == recording::Kind::labels) {
     golden.labels = std::get<recording::Labels>(std::move(frame->content));
   } else {
@@ -144,7 +144,7 @@ bool GoldenFrames::read_one() {
 }
 
 std::optional<GoldenFrame> GoldenFrames::take(const recording::FrameHeader& cloud) {
-  const Key key = key_of(cloud);
+  const Key key = place_of(cloud);
   const auto is_whole = [&] {
     const auto found = waiting_.find(key);
     return found != waiting_.end() && found->second.labels && found->second.list;

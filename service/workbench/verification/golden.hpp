@@ -7,9 +7,10 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "idl/frame_key.hpp"
 #include "recording/frames/frame_reader.hpp"
 #include "workbench/verification/offline_segmenter.hpp"
 
@@ -46,8 +47,8 @@ class GoldenFrames {
   [[nodiscard]] std::vector<std::string> problems() const { return reader_.problems(); }
 
  private:
-  using Key = std::tuple<std::string, std::uint32_t, std::uint64_t>;
-  [[nodiscard]] static Key key_of(const recording::FrameHeader& header);
+  using Key = std::pair<std::string, FrameKey>;
+  [[nodiscard]] static Key place_of(const recording::FrameHeader& header);
   bool read_one();
 
   recording::FrameReader reader_;

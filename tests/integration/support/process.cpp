@@ -17,21 +17,6 @@
 namespace cleave::test {
 namespace {
 
-std::filesystem::path make_folder() {
-  std::string name = (std::filesystem::temp_directory_path() / "cleave-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), "cannot create " + name);
-  }
-  return name;
-}
-
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 std::vector<std::string> merged_environment(const std::map<std::string, std::string>& extra) {
   std::vector<std::string> merged;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -53,13 +38,15 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
 
 Process::Process(const std::vector<std::string>& command,
                  const std::map<std::string, std::string>& environment)
-    : folder_(make_folder()) {
+    : folder_(std::make_unique<TemporaryFolder>()) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int flags = O_WRONLY | O_CREAT | O_APPEND;
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_ / "out").c_str(), flags, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_ / "log").c_str(), flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_->path() / "out").c_str(),
+                                   flags, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_->path() / "log").c_str(),
+                                   flags, 0600);
   std::vector<std::string> words = command;
   std::vector<std::string> variables = merged_environment(environment);
   const int code = ::posix_spawn(&id_, words.front().c_str(), &actions, nullptr,
@@ -71,7 +58,7 @@ Process::Process(const std::vector<std::string>& command,
 Process::Process(Process&& other) noexcept
     : id_(std::exchange(other.id_, -1)),
       status_(other.status_),
-      folder_(std::exchange(other.folder_, {})) {}
+      folder_(std::move(other.folder_)) {}
 
 Process::~Process() {
   if (running()) {
@@ -81,8 +68,6 @@ Process::~Process() {
       (void)wait();
     }
   }
-  std::error_code ignored;
-  if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
 }
 
 bool Process::running() {
@@ -105,10 +90,10 @@ int Process::wait(std::chrono::milliseconds timeout) {
 }
 
 std::string Process::output() const {
-  return read_file(folder_ / "out");
+  return tests::read_file(folder_->path() / "out");
 }
 std::string Process::log() const {
-  return read_file(folder_ / "log");
+  return tests::read_file(folder_->path() / "log");
 }
 
 bool Process::logs(const std::string& text, std::chrono::milliseconds timeout) {
@@ -127,13 +112,6 @@ bool eventually(const std::function<bool()>& condition, std::chrono::millisecond
 
 std::string program(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
-}
-
-TemporaryFolder::TemporaryFolder() : path_(make_folder()) {}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace cleave::test

@@ -5,13 +5,17 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace cleave::test {
+
+using tests::TemporaryFolder;
 
 // The machine may be busy with other tests: generous, because no test asserts a duration.
 inline constexpr std::chrono::seconds patience{60};
@@ -42,7 +46,7 @@ class Process {
  private:
   pid_t id_ = -1;
   int status_ = -1;
-  std::filesystem::path folder_;
+  std::unique_ptr<tests::TemporaryFolder> folder_;  // with what it has written
 };
 
 // Polls until `condition` holds; false after `timeout`.
@@ -51,18 +55,5 @@ bool eventually(const std::function<bool()>& condition,
 
 // build/<preset>/bin/<name>
 std::string program(const std::string& name);
-
-// A folder of its own for a test, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace cleave::test

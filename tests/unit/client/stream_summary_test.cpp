@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cleave/watch/stream_summary.hpp"
+#include "cleave/stream/stream_summary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/libcleave/listening_socket.hpp"
 
 namespace cleave {
@@ -28,25 +29,21 @@ class RouDiAccess : public testing::Test {
       group_before_ = ::getegid();
       if (::setegid(nobody->pw_gid) == 0) was_root_ = ::seteuid(nobody->pw_uid) == 0;
     }
-    std::string name = (std::filesystem::temp_directory_path() / "cleave-roudi-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    std::filesystem::create_directory(place_.memory = folder_ / "shm");
-    place_.socket = folder_ / "roudi";
+    folder_.emplace();
+    std::filesystem::create_directory(place_.memory = folder_->path() / "shm");
+    place_.socket = folder_->path() / "roudi";
     socket_.emplace(place_.socket);
     add_memory("iceoryx_mgmt");
     add_memory(::getgrgid(::getegid())->gr_name);
   }
-  ~RouDiAccess() override {
-    become_root();
-    std::filesystem::remove_all(folder_);
-  }
+  ~RouDiAccess() override { become_root(); }
 
   void become_root() {
     if (was_root_) (void)(::seteuid(0) == 0 && ::setegid(group_before_) == 0);
   }
   void add_memory(const std::string& name) const { std::ofstream(place_.memory / name) << "x"; }
 
-  std::filesystem::path folder_;
+  std::optional<tests::TemporaryFolder> folder_;
   RouDiPlace place_;
 
  private:

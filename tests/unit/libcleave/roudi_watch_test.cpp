@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "libcleave/roudi.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/unit/libcleave/listening_socket.hpp"
 
 namespace cleave {
@@ -16,18 +15,14 @@ namespace fs = std::filesystem;
 
 class WatchOfRouDi : public testing::Test {
  protected:
-  WatchOfRouDi() {
-    std::string name = (fs::temp_directory_path() / "cleave-watch-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    roudi_.emplace(file());
-  }
-  ~WatchOfRouDi() override { fs::remove_all(folder_); }
+  WatchOfRouDi() { roudi_.emplace(file()); }
 
-  [[nodiscard]] fs::path file() const { return folder_ / "roudi"; }
+  [[nodiscard]] fs::path file() const { return folder_.path() / "roudi"; }
   void crash() { roudi_.reset(); }
   void start_another() {
     crash();
-    fs::rename(file(), folder_ / "before");  // so that the next one cannot be given the same inode
+    fs::rename(file(),
+               folder_.path() / "before");  // so that the next one cannot be given the same inode
     roudi_.emplace(file());
   }
   // What the watch says when it looks the next time.
@@ -36,7 +31,7 @@ class WatchOfRouDi : public testing::Test {
     return watch.update(now += std::chrono::seconds(1));
   }
 
-  fs::path folder_;
+  tests::TemporaryFolder folder_;
   std::optional<test::ListeningSocket> roudi_;
 };
 
@@ -59,10 +54,10 @@ TEST_F(WatchOfRouDi, TellsOnceThatItIsGone) {
 
 TEST_F(WatchOfRouDi, ForgetsTheErrorWhenTheSameOneIsBack) {
   RouDiWatch watch(Transport::shared_memory, file());
-  fs::rename(file(), folder_ / "away");
+  fs::rename(file(), folder_.path() / "away");
   ASSERT_TRUE(look(watch));
   ASSERT_NE(watch.error(), "");
-  fs::rename(folder_ / "away", file());
+  fs::rename(folder_.path() / "away", file());
   EXPECT_TRUE(look(watch));
   EXPECT_EQ(watch.error(), "");
   EXPECT_FALSE(watch.replaced());

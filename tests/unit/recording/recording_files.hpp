@@ -9,21 +9,11 @@
 
 #include "recording/frames/frame.hpp"
 #include "recording/mcap/bytes.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace cleave::recording {
 
-// A folder of its own for each test, gone when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using tests::TemporaryFolder;
 
 [[nodiscard]] Bytes read_all(const std::filesystem::path& file);
 void write_all(const std::filesystem::path& file, ByteView bytes);

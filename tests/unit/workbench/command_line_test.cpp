@@ -5,26 +5,17 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cleave/commands/workbench_commands.hpp"
+#include "tests/support/run_command.hpp"
 
 namespace cleave::workbench {
 namespace {
 
-// Exit code of CLI11 for a command line; 0 = understood.
 int parse(std::vector<std::string> words) {
-  CLI::App app;
-  Action action;
-  describe_command_line(app, action);
-  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
-  try {
-    app.parse(words);
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code();
-  }
-  EXPECT_TRUE(action) << "no action was chosen";
-  return 0;
+  return tests::parse_command_line(describe_command_line, std::move(words));
 }
 
 TEST(WorkbenchCommandLine, HasTheCommandsThatCleaveHandsOver) {

@@ -2,6 +2,7 @@
 // What tells one frame from all others of its sensor.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 
 namespace cleave {
@@ -9,7 +10,7 @@ namespace cleave {
 struct FrameKey {
   std::uint32_t epoch = 0;
   std::uint64_t frame_id = 0;
-  bool operator==(const FrameKey&) const = default;
+  auto operator<=>(const FrameKey&) const = default;
 };
 
 // Of the contract's FrameHeader, or of a struct that mirrors it.
