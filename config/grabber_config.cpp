@@ -2,6 +2,7 @@
 #include "config/grabber_config.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "idl/capacity.hpp"
@@ -26,13 +27,60 @@ VideoConfig read_video_config(Section& file, std::uint32_t decimate) {
   return config;
 }
 
-bool is_unit(const std::string& name) {
-  return name.empty() || name == "m" || name == "cm" || name == "mm";
-}
-
 bool is_frame_name(const std::string& name) {
   return name.size() <= max_frame_name_length &&
          std::all_of(name.begin(), name.end(), [](char c) { return c > ' ' && c <= '~'; });
+}
+
+void read_intrinsics(Section& section, CalibrationConfig& config) {
+  section.number("fx", config.fx, 0, 100'000);
+  section.number("fy", config.fy, 0, 100'000);
+  section.number("cx", config.cx, -100'000, 100'000);
+  section.number("cy", config.cy, -100'000, 100'000);
+  const bool none = config.fx == 0 && config.fy == 0 && config.cx == 0 && config.cy == 0;
+  if (!none && config.fx == 0) section.refuse("fx", "all of fx, fy, cx and cy, or none");
+  if (!none && config.fy == 0) section.refuse("fy", "all of fx, fy, cx and cy, or none");
+}
+
+void read_pose(Section& section, CalibrationConfig& config) {
+  constexpr double far_m = 1e6;
+  section.text("parent_frame", config.parent_frame);
+  if (!is_frame_name(config.parent_frame)) {
+    section.refuse("parent_frame", "at most 63 printable ASCII characters without blanks");
+  }
+  Section position = section.section("position");
+  position.number("x", config.position.x, -far_m, far_m);
+  position.number("y", config.position.y, -far_m, far_m);
+  position.number("z", config.position.z, -far_m, far_m);
+  Section orientation = section.section("orientation");
+  auto& [x, y, z, w] = config.orientation;
+  orientation.number("x", x, -1, 1);
+  orientation.number("y", y, -1, 1);
+  orientation.number("z", z, -1, 1);
+  orientation.number("w", w, -1, 1);
+  const float length = std::sqrt(x * x + y * y + z * z + w * w);
+  const bool known = length != 0;
+  if (known && std::abs(length - 1) > 0.01F) {
+    section.refuse("orientation", "a quaternion of unit length, or all 0");
+  }
+  if (known == config.parent_frame.empty()) {
+    section.refuse("parent_frame", "parent_frame and orientation both, or neither");
+  }
+  if (!known) return;
+  for (float* const part : {&x, &y, &z, &w}) *part /= length;
+}
+
+CalibrationConfig read_calibration(Section& file) {
+  CalibrationConfig config;
+  Section section = file.section("calibration");
+  read_intrinsics(section, config);
+  section.number("depth_scale", config.depth_scale, 0.5, 2);
+  read_pose(section, config);
+  return config;
+}
+
+bool is_unit(const std::string& name) {
+  return name.empty() || name == "m" || name == "cm" || name == "mm";
 }
 
 }  // namespace
@@ -58,6 +106,7 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path,
   read_mode(file, config.mode);
   file.integer("window", config.window, 1, 4);
   config.video = read_video_config(file, config.decimate);
+  config.calibration = read_calibration(file);
   config.stream = read_stream_config(file);
   file.finish();
   return config;

@@ -19,6 +19,17 @@ struct VideoConfig {
   bool mirror = false;         // left and right swapped
 };
 
+// What is better known of a camera than its driver reports it.
+struct CalibrationConfig {
+  // Pinhole intrinsics in pixels of the source's images, before `decimate`; all 0 = the source's.
+  float fx = 0, fy = 0, cx = 0, cy = 0;
+  float depth_scale = 1;  // 0.5 to 2: what depths are multiplied by
+  // Where the sensor is: p_parent = orientation * p + position.
+  std::string parent_frame;                                 // empty = not known
+  struct { float x = 0, y = 0, z = 0; } position;           // metres
+  struct { float x = 0, y = 0, z = 0, w = 0; } orientation;  // unit length; all 0 = not known
+};
+
 struct GrabberConfig {
   std::string sensor = "camera";    // names the topics: cleave/<sensor>/cloud
   std::string coordinate_frame;     // of the points; empty = "<sensor>_optical"
@@ -31,6 +42,7 @@ struct GrabberConfig {
   Mode mode = Mode::live;
   std::uint32_t window = 4;  // 1 to 4 frames in flight in lossless mode
   VideoConfig video;
+  CalibrationConfig calibration;
   StreamConfig stream;
 };
 

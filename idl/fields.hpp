@@ -14,27 +14,6 @@
 
 namespace cleave::fields {
 
-struct HeaderFields {
-  template <class Visit, class... S>
-  void operator()(Visit&& visit, S&... s) const {
-    visit.number("frame_id", s.frame_id...);
-    visit.number("epoch", s.epoch...);
-    visit.number("capture_time_ns", s.capture_time_ns...);
-    visit.number("arrival_time_ns", s.arrival_time_ns...);
-    visit.number("publication_time_ns", s.publication_time_ns...);
-    visit.number("device_time_us", s.device_time_us...);
-    visit.number("width", s.width...);
-    visit.number("height", s.height...);
-    visit.number("fx", s.fx...);
-    visit.number("fy", s.fy...);
-    visit.number("cx", s.cx...);
-    visit.number("cy", s.cy...);
-    visit.text("sensor", s.sensor...);
-    visit.text("coordinate_frame", s.coordinate_frame...);
-  }
-};
-inline constexpr HeaderFields header;
-
 struct PointFields {
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
@@ -55,6 +34,38 @@ struct QuaternionFields {
   }
 };
 inline constexpr QuaternionFields quaternion;
+
+struct PoseFields {
+  template <class Visit, class... S>
+  void operator()(Visit&& visit, S&... s) const {
+    visit.group("position", point, s.position...);
+    visit.group("orientation", quaternion, s.orientation...);
+  }
+};
+inline constexpr PoseFields pose;
+
+struct HeaderFields {
+  template <class Visit, class... S>
+  void operator()(Visit&& visit, S&... s) const {
+    visit.number("frame_id", s.frame_id...);
+    visit.number("epoch", s.epoch...);
+    visit.number("capture_time_ns", s.capture_time_ns...);
+    visit.number("arrival_time_ns", s.arrival_time_ns...);
+    visit.number("publication_time_ns", s.publication_time_ns...);
+    visit.number("device_time_us", s.device_time_us...);
+    visit.number("width", s.width...);
+    visit.number("height", s.height...);
+    visit.number("fx", s.fx...);
+    visit.number("fy", s.fy...);
+    visit.number("cx", s.cx...);
+    visit.number("cy", s.cy...);
+    visit.text("sensor", s.sensor...);
+    visit.text("coordinate_frame", s.coordinate_frame...);
+    visit.text("parent_frame", s.parent_frame...);
+    visit.group("pose", pose, s.pose...);
+  }
+};
+inline constexpr HeaderFields header;
 
 struct ImageRectangleFields {
   template <class Visit, class... S>
@@ -130,6 +141,7 @@ struct NodeStatusFields {
   void operator()(Visit&& visit, S&... s) const {
     visit.text("node", s.node...);
     visit.text("version", s.version...);
+    visit.text("contract", s.contract...);
     visit.text("sensor", s.sensor...);
     visit.number("process_id", s.process_id...);
     visit.choice("state", s.state...);

@@ -23,6 +23,13 @@ inline std::string cloud_topic(std::string_view sensor) {
 inline std::string labels_topic(std::string_view sensor) {
   return "cleave/" + std::string(sensor) + "/labels";
 }
+// Where clouds of more than 640 x 480 points travel, and their label maps.
+inline std::string large_cloud_topic(std::string_view sensor) {
+  return "cleave/" + std::string(sensor) + "/large_cloud";
+}
+inline std::string large_labels_topic(std::string_view sensor) {
+  return "cleave/" + std::string(sensor) + "/large_labels";
+}
 inline std::string segments_topic(std::string_view sensor) {
   return "cleave/" + std::string(sensor) + "/segments";
 }

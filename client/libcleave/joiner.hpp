@@ -7,14 +7,14 @@
 #include <deque>
 #include <optional>
 
-#include "libcleave/reader.hpp"
+#include "libcleave/cloud_reader.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {
 
 struct JoinedFrame {
-  Sample<DepthCloud> cloud;
-  Sample<LabelMap> labels;
+  CloudSample cloud;
+  LabelSample labels;
 };
 
 class Joiner {
@@ -25,16 +25,16 @@ class Joiner {
 
   // The frame that this sample completes, if any. Samples older than it that are still unpaired are
   // given up: frames come in order, so their partner was lost.
-  [[nodiscard]] std::optional<JoinedFrame> add(Sample<DepthCloud> cloud);
-  [[nodiscard]] std::optional<JoinedFrame> add(Sample<LabelMap> labels);
+  [[nodiscard]] std::optional<JoinedFrame> add(CloudSample cloud);
+  [[nodiscard]] std::optional<JoinedFrame> add(LabelSample labels);
 
   // Samples given up without a partner.
   [[nodiscard]] std::uint64_t unpaired() const { return unpaired_; }
 
  private:
   std::size_t capacity_;
-  std::deque<Sample<DepthCloud>> clouds_;
-  std::deque<Sample<LabelMap>> labels_;
+  std::deque<CloudSample> clouds_;
+  std::deque<LabelSample> labels_;
   std::uint64_t unpaired_ = 0;
 };
 

@@ -13,13 +13,13 @@ namespace {
 constexpr ReaderDepth list_depth{16};
 
 // False: not now.
-bool publish_again(const KeptFrame& frame, Writer<DepthCloud>& writer) {
-  std::optional<Loan<DepthCloud>> cloud = writer.loan();
+bool publish_again(const KeptFrame& frame, CloudWriter& writer) {
+  std::optional<CloudLoan> cloud = writer.loan(point_count(frame.header));
   if (!cloud) return false;
-  (*cloud)->header = frame.header;
-  std::copy(frame.xyz.begin(), frame.xyz.end(), static_cast<float*>((*cloud)->xyz));
-  (*cloud)->header.publication_time_ns = monotonic_now_ns();
-  return writer.publish(std::move(*cloud));
+  cloud->header() = frame.header;
+  std::ranges::copy(frame.xyz, cloud->room().begin());
+  cloud->header().publication_time_ns = monotonic_now_ns();
+  return std::move(*cloud).publish();
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ bool publish_again(const KeptFrame& frame, Writer<DepthCloud>& writer) {
 LosslessFlow::LosslessFlow(Stream& stream, const std::string& sensor, std::uint32_t window)
     : segments_(stream, sensor, list_depth), window_(window) {}
 
-void LosslessFlow::update(Clock::time_point now, Writer<DepthCloud>& writer) {
+void LosslessFlow::update(Clock::time_point now, CloudWriter& writer) {
   while (const auto list = segments_.take()) window_.returned(key_of((*list)->header), now);
   std::erase_if(kept_, [&](const KeptFrame& f) { return !window_.contains(key_of(f.header)); });
   window_.update(now, segmenters());

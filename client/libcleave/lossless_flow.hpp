@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "libcleave/cloud_writer.hpp"
 #include "libcleave/internal/lossless_window.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
-#include "libcleave/writer.hpp"
 
 namespace cleave {
 
@@ -29,7 +29,7 @@ class LosslessFlow {
   LosslessFlow(Stream& stream, const std::string& sensor, std::uint32_t window);
 
   // Takes the segment lists that have come in, and publishes again what is due.
-  void update(Clock::time_point now, Writer<DepthCloud>& writer);
+  void update(Clock::time_point now, CloudWriter& writer);
   // A new frame may be published: there is room, and a segmenter to tell when it is done.
   [[nodiscard]] bool ready() const { return segmenters() > 0 && window_.has_room(); }
   [[nodiscard]] unsigned segmenters() const { return segments_.live_writers(); }

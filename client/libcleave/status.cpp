@@ -66,6 +66,7 @@ NodeReport first_report(const Stream& stream, std::string node, std::string sens
   NodeReport report;
   report.node = std::move(node);
   report.version = CLEAVE_VERSION;
+  report.contract = contract_name;
   report.sensor = std::move(sensor);
   report.process_id = static_cast<std::uint32_t>(::getpid());
   report.transport_in_force = stream.transport();

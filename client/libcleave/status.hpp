@@ -20,6 +20,7 @@ enum class NodeState { starting, running, source_lost, ended, stopping };
 struct NodeReport {
   std::string node;  // grabber_node() or segmenter_node(), in idl/topics.hpp
   std::string version;
+  std::string contract;
   std::string sensor;
   std::uint32_t process_id = 0;
   NodeState state = NodeState::starting;

@@ -60,12 +60,13 @@ dds::Entity join(std::uint32_t id) {
               " (more than 60 processes on it, or its UDP ports are taken)"};
 }
 
-// The larger of the two types that travel through it.
-constexpr std::uint32_t largest_sample = std::max(sizeof(DepthCloud), sizeof(LabelMap));
+// What every sensor's frames fit into. Whether there are chunks for the large types, too, is asked
+// when the first is to be published.
+constexpr std::uint32_t small_sample = std::max(sizeof(DepthCloud), sizeof(LabelMap));
 
 std::string why_no_shared_memory() {
   std::string obstacle = obstacle_to_roudi();
-  return obstacle.empty() && may_write_to_roudi() ? obstacle_of_pools(largest_sample) : obstacle;
+  return obstacle.empty() && may_write_to_roudi() ? obstacle_of_pools(small_sample) : obstacle;
 }
 
 }  // namespace

@@ -16,13 +16,17 @@ namespace cleave {
 using FrameHeader = cleave_v1_FrameHeader;
 using DepthCloud = cleave_v1_DepthCloud;
 using LabelMap = cleave_v1_LabelMap;
+using LargeDepthCloud = cleave_v1_LargeDepthCloud;
+using LargeLabelMap = cleave_v1_LargeLabelMap;
 using SegmentList = cleave_v1_SegmentList;
 using SegmentMessage = cleave_v1_Segment;
 using BorderMessage = cleave_v1_Border;
 using NodeStatus = cleave_v1_NodeStatus;
 
-static_assert(sizeof(DepthCloud::xyz) == capacity_points * 3 * sizeof(float));
-static_assert(sizeof(LabelMap::label) == capacity_points * sizeof(std::uint16_t));
+static_assert(sizeof(DepthCloud::xyz) == small_capacity_points * 3 * sizeof(float));
+static_assert(sizeof(LabelMap::label) == small_capacity_points * sizeof(std::uint16_t));
+static_assert(sizeof(LargeDepthCloud::xyz) == capacity_points * 3 * sizeof(float));
+static_assert(sizeof(LargeLabelMap::label) == capacity_points * sizeof(std::uint16_t));
 
 // Points that the header announces, without overflow for any header that a foreign writer may send.
 inline std::uint64_t point_count(const FrameHeader& header) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 
+#include "libcleave/internal/bulk_reader.hpp"
 #include "libcleave/internal/raw_reader.hpp"
 #include "libcleave/reader.hpp"
 
@@ -21,6 +22,11 @@ class WaitSet {
   template <class T>
   void attach(const Reader<T>& reader) {
     attach(reader.raw());
+  }
+  template <class Kind, class SampleType>
+  void attach(const BulkReader<Kind, SampleType>& reader) {
+    attach(reader.small());
+    attach(reader.large());
   }
 
   // Returns when an attached reader has samples, after wake(), or after `timeout`; true if not the

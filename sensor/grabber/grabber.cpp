@@ -32,7 +32,7 @@ Grabber::Grabber(const GrabberOptions& options, Stream& stream, Source& source, 
       source_(source),
       shutdown_(shutdown),
       book_(unix_time_s()),
-      publisher_(stream, options.sensor, options.coordinate_frame,
+      publisher_(stream, options.sensor, {options.coordinate_frame, options.parent_frame, options.pose},
                  options.window ? lossless_depth : live_depth),
       supervisor_(stream, options.sensor,
                   [this](NodeReport& report, Clock::time_point now) {
@@ -125,6 +125,7 @@ void Grabber::handle(const Frame& frame) {
   if (std::uint64_t{frame.width} * frame.height > capacity_points) return drop_too_large(frame);
   const Publication result = publish(frame);
   if (result == Publication::refused) book_.dropped("refused by DDS");
+  if (result == Publication::no_large_chunks) book_.dropped("no chunks for large clouds");
   if (result == Publication::no_free_chunk) {
     book_.dropped("no free chunk");
     if (std::uint64_t suppressed = 0; log_limiter_.allow(suppressed)) {
@@ -153,7 +154,8 @@ void Grabber::drop_too_large(const Frame& frame) {
 Publication Grabber::publish(const Frame& frame) {
   KeptFrame copy;
   Publication result = publisher_.publish(frame, book_.next(), source_, flow_ ? &copy : nullptr);
-  while (flow_ && result != Publication::done && !shutdown_.requested()) {
+  while (flow_ && result != Publication::done && result != Publication::no_large_chunks &&
+         !shutdown_.requested()) {
     wait_set_.wait(chunk_retry);
     update(Clock::now());
     result = publisher_.publish(frame, book_.next(), source_, &copy);

@@ -12,7 +12,7 @@
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/wait_set.hpp"
-#include "sensor/grabber/cloud_publisher.hpp"
+#include "sensor/grabber/frame_publisher.hpp"
 #include "sensor/grabber/frame_book.hpp"
 #include "sensor/grabber/pacer.hpp"
 #include "sensor/grabber/source_link.hpp"
@@ -24,6 +24,8 @@ namespace cleave::sensor {
 struct GrabberOptions {
   std::string sensor;
   std::string coordinate_frame;
+  std::string parent_frame;  // empty = the sensor's pose is not known
+  cleave_v1_Pose pose{};     // of coordinate_frame in parent_frame
   std::uint32_t fps = 30;                   // pace of sources that have none of their own
   std::optional<std::uint32_t> window;      // frames in flight in lossless mode; empty = live
   std::optional<std::uint64_t> max_frames;  // end after so many published
@@ -68,7 +70,7 @@ class Grabber {
   Source& source_;
   Shutdown& shutdown_;
   FrameBook book_;
-  CloudPublisher publisher_;
+  FramePublisher publisher_;
   std::optional<LosslessFlow> flow_;
   Supervisor supervisor_;
   SourceLink link_;

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <variant>
 
 #include "libcleave/process/exit_codes.hpp"
@@ -26,8 +27,15 @@ StreamOptions stream_options(const config::StreamConfig& config) {
 
 GrabberOptions grabber_options(const Settings& settings) {
   const config::GrabberConfig& config = settings.config;
-  GrabberOptions options{config.sensor, coordinate_frame_of(config), config.fps, std::nullopt,
-                         settings.max_frames};
+  const auto& [position, orientation] = std::tie(config.calibration.position, config.calibration.orientation);
+  GrabberOptions options;
+  options.sensor = config.sensor;
+  options.coordinate_frame = coordinate_frame_of(config);
+  options.parent_frame = config.calibration.parent_frame;
+  options.pose = {{position.x, position.y, position.z},
+                  {orientation.x, orientation.y, orientation.z, orientation.w}};
+  options.fps = config.fps;
+  options.max_frames = settings.max_frames;
   if (config.mode == config::Mode::lossless) options.window = config.window;
   return options;
 }
@@ -57,7 +65,10 @@ int run(int argc, char** argv) {
                          config.video.registration, config.video.mirror};
     const Playback playback{config.loop, recording::unit_named(config.unit),
                             recording::GapLimit(config.max_gap_s)};
-    return run(settings, make_source(config.source, mode, playback, config.decimate), options,
+    const config::CalibrationConfig& known = config.calibration;
+    const Calibration calibration{{known.fx, known.fy, known.cx, known.cy}, known.depth_scale};
+    return run(settings,
+               make_source(config.source, mode, playback, {config.decimate, calibration}), options,
                argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());

@@ -71,9 +71,13 @@ std::unique_ptr<Source> make_whole(const std::string& uri, const VideoMode& mode
 }  // namespace
 
 std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
-                                    const Playback& playback, std::uint32_t decimate) {
+                                    const Playback& playback, const Treatment& treatment) {
+  const std::uint32_t decimate = treatment.decimate;
   const std::uint64_t max_points = std::uint64_t{decimate} * decimate * capacity_points;
   std::unique_ptr<Source> source = make_whole(uri, mode, playback, max_points);
+  if (!treatment.calibration.changes_nothing()) {
+    source = std::make_unique<CalibratedSource>(std::move(source), treatment.calibration);
+  }
   if (decimate == 1) return source;
   return std::make_unique<DecimatingSource>(std::move(source), decimate);
 }

@@ -8,6 +8,7 @@
 
 #include "recording/frames/gap_limit.hpp"
 #include "recording/units/unit.hpp"
+#include "sensor/sources/calibrated_source.hpp"
 #include "sensor/sources/openni2/openni2_source.hpp"
 #include "sensor/sources/source.hpp"
 
@@ -20,12 +21,18 @@ struct Playback {
   recording::GapLimit gaps = recording::GapLimit();  // of those with a timing of their own
 };
 
+// What is done to a source's frames.
+struct Treatment {
+  std::uint32_t decimate = 1;  // of an image, a block of so many pixels a side becomes one point
+  Calibration calibration = {};
+};
+
 // openni2:[URI], synthetic:SCENE, pcd:PATH, oni:FILE, mcap:FILE[?topic=TOPIC]. `mode` is asked of
-// cameras. Of an image, a block of `decimate` x `decimate` pixels becomes one point (Decimator),
-// and may have so many more points than the stream carries. Opens nothing. Throws
+// cameras. An image that is decimated (Decimator) may have so many more points than the stream
+// carries; its calibration comes first. Opens nothing. Throws
 // std::invalid_argument, listing the sources, for any other URI.
 [[nodiscard]] std::unique_ptr<Source> make_source(const std::string& uri, const VideoMode& mode,
                                                   const Playback& playback,
-                                                  std::uint32_t decimate = 1);
+                                                  const Treatment& treatment = {});
 
 }  // namespace cleave::sensor

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "libcleave/cloud_writer.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
 #include "libcleave/writer.hpp"
@@ -18,13 +19,14 @@ class DdsSink : public ResultSink {
   DdsSink(Stream& stream, std::string_view sensor)
       : labels_(stream, sensor), segments_(stream, sensor) {}
 
-  [[nodiscard]] std::unique_ptr<LabelLoan> loan_labels() override;
+  [[nodiscard]] std::unique_ptr<LabelMemory> loan_labels(std::uint64_t points) override;
+  [[nodiscard]] std::string no_memory() const override;
   [[nodiscard]] bool publish(const SegmentList& segments) override {
     return segments_.publish(segments);
   }
 
  private:
-  Writer<LabelMap> labels_;
+  LabelWriter labels_;
   Writer<SegmentList> segments_;
 };
 

@@ -19,10 +19,9 @@ ReaderDepth reader_depth(const PipelineSettings& settings) {
   return {topic_of<DepthCloud>(settings.sensor).history_depth};
 }
 
-// The sample stays where the transport put it until the last owner lets it go.
-std::shared_ptr<const DepthCloud> shared(Sample<DepthCloud> sample) {
-  const auto owner = std::make_shared<Sample<DepthCloud>>(std::move(sample));
-  return {owner, &**owner};
+ReceivedCloud received(CloudSample sample) {
+  const auto owner = std::make_shared<const CloudSample>(std::move(sample));
+  return {owner, &owner->header(), owner->room(), owner->zero_copy()};
 }
 
 template <std::size_t N>
@@ -52,10 +51,9 @@ void SensorPipeline::take_clouds() {
   while (!stopping_) {
     wait_set_.wait(std::chrono::milliseconds(500));
     while (!stopping_) {
-      std::optional<Sample<DepthCloud>> cloud = clouds_.take();
+      std::optional<CloudSample> cloud = clouds_.take();
       if (!cloud) break;
-      const bool zero_copy = cloud->zero_copy();
-      pipeline_.accept(shared(std::move(*cloud)), zero_copy);
+      pipeline_.accept(received(std::move(*cloud)));
     }
   }
 }

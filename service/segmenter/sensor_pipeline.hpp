@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "libcleave/reader.hpp"
+#include "libcleave/cloud_reader.hpp"
 #include "libcleave/status.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
@@ -48,7 +48,7 @@ class SensorPipeline {
   Stream& stream_;
   const std::string sensor_;
   DdsSink sink_;
-  Reader<DepthCloud> clouds_;
+  CloudReader clouds_;
   FramePipeline pipeline_;  // after the reader whose samples it holds
   WaitSet wait_set_;
   SourceWatch source_;

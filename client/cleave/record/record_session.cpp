@@ -3,7 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include <type_traits>
 
 #include "cleave/stream/contract_frames.hpp"
 #include "recording/error.hpp"
@@ -43,9 +42,9 @@ std::string RecordSession::run(Shutdown& shutdown, std::optional<double> duratio
   std::string reason;
   while (reason.empty()) {
     (void)wait_set_.wait(recording_wait);
-    take(clouds_);
-    take(labels_);
-    take(lists_);
+    take_clouds();
+    take_labels();
+    take_lists();
     take_statuses();
     on_tick();
     reason = reason_to_stop(shutdown, duration_s);
@@ -54,18 +53,29 @@ std::string RecordSession::run(Shutdown& shutdown, std::optional<double> duratio
   return reason;
 }
 
+void RecordSession::take_clouds() {
+  while (const auto cloud = clouds_ ? clouds_->take() : std::nullopt) {
+    note(cloud->header());
+    offer(*cloud);
+  }
+}
+
+void RecordSession::take_labels() {
+  while (const auto labels = labels_ ? labels_->take() : std::nullopt) offer(*labels);
+}
+
+void RecordSession::take_lists() {
+  while (const auto list = lists_ ? lists_->take() : std::nullopt) offer(**list);
+}
+
 template <class Message>
-void RecordSession::take(std::optional<Reader<Message>>& reader) {
-  if (!reader) return;
-  while (const auto sample = reader->take()) {
-    last_frame_ = Clock::now();
-    if (!first_frame_) first_frame_ = last_frame_;
-    if constexpr (std::is_same_v<Message, DepthCloud>) note((*sample)->header);
-    try {
-      writer_.offer({wall_now_ns(), client::frame_of(**sample)});
-    } catch (const recording::DataError& error) {
-      spdlog::warn("not recorded: {}", error.what());
-    }
+void RecordSession::offer(const Message& message) {
+  last_frame_ = Clock::now();
+  if (!first_frame_) first_frame_ = last_frame_;
+  try {
+    writer_.offer({wall_now_ns(), client::frame_of(message)});
+  } catch (const recording::DataError& error) {
+    spdlog::warn("not recorded: {}", error.what());
   }
 }
 

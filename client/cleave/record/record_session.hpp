@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cleave/record/background_writer.hpp"
+#include "libcleave/cloud_reader.hpp"
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/status.hpp"
@@ -37,7 +38,10 @@ class RecordSession {
  private:
   using Clock = std::chrono::steady_clock;
   template <class Message>
-  void take(std::optional<Reader<Message>>& reader);
+  void offer(const Message& message);
+  void take_clouds();
+  void take_labels();
+  void take_lists();
   void take_statuses();
   void note(const FrameHeader& header);
   [[nodiscard]] std::string reason_to_stop(const Shutdown& shutdown,
@@ -45,8 +49,8 @@ class RecordSession {
 
   std::string sensor_;
   BackgroundWriter& writer_;
-  std::optional<Reader<DepthCloud>> clouds_;
-  std::optional<Reader<LabelMap>> labels_;
+  std::optional<CloudReader> clouds_;
+  std::optional<LabelReader> labels_;
   std::optional<Reader<SegmentList>> lists_;
   Reader<NodeStatus> statuses_;
   WaitSet wait_set_;

@@ -2,6 +2,7 @@
 #include "cleave/replay/sensor_replay.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "cleave/stream/contract_frames.hpp"
@@ -14,6 +15,12 @@ constexpr std::chrono::milliseconds status_interval{500};
 constexpr std::size_t remembered_clouds = 64;
 // Kept for readers that the network serves, which may come in bursts.
 constexpr WriterDepth writer_depth{8};
+
+// There is no memory for a frame: readers hold all of it, or there will never be any.
+bool not_now(const std::string& obstacle) {
+  if (!obstacle.empty()) throw std::runtime_error(obstacle);
+  return false;
+}
 
 }  // namespace
 
@@ -71,19 +78,19 @@ bool SensorReplay::publish(const recording::Frame& frame, std::uint64_t pass) {
 }
 
 bool SensorReplay::publish(const recording::Cloud& cloud) {
-  std::optional<Loan<DepthCloud>> loan = clouds_->loan();
-  if (!loan) return false;
-  DepthCloud& message = **loan;
-  fill(message, cloud);
-  set_epoch(message.header);
+  std::optional<CloudLoan> loan = clouds_->loan(cloud.header.points());
+  if (!loan) return not_now(clouds_->obstacle());
+  fill(*loan, cloud);
+  FrameHeader& header = loan->header();
+  set_epoch(header);
   const std::int64_t time_ns = monotonic_now_ns();
-  message.header.arrival_time_ns = time_ns;
-  message.header.publication_time_ns = time_ns;
+  header.arrival_time_ns = time_ns;
+  header.publication_time_ns = time_ns;
   KeptFrame copy;
-  if (flow_) copy = {message.header, cloud.xyz};
-  const Published entry{key_of(message.header), time_ns};
+  if (flow_) copy = {header, cloud.xyz};
+  const Published entry{key_of(header), time_ns};
   const bool zero_copy = clouds_->zero_copy();
-  if (!clouds_->publish(std::move(*loan))) return false;
+  if (!std::move(*loan).publish()) return false;
   if (flow_) flow_->published(std::move(copy), Clock::now());
   published_.push_back(entry);
   if (published_.size() > remembered_clouds) published_.pop_front();
@@ -93,15 +100,15 @@ bool SensorReplay::publish(const recording::Cloud& cloud) {
 }
 
 bool SensorReplay::publish(const recording::Labels& labels) {
-  std::optional<Loan<LabelMap>> loan = labels_->loan();
-  if (!loan) return false;
-  LabelMap& message = **loan;
-  fill(message, labels);
-  set_epoch(message.header);
-  message.header.arrival_time_ns = cloud_time_ns(labels.header);
-  message.cloud_publication_time_ns = message.header.arrival_time_ns;
-  message.header.publication_time_ns = monotonic_now_ns();
-  return labels_->publish(std::move(*loan));
+  std::optional<LabelLoan> loan = labels_->loan(labels.header.points());
+  if (!loan) return not_now(labels_->obstacle());
+  fill(*loan, labels);
+  FrameHeader& header = loan->header();
+  set_epoch(header);
+  header.arrival_time_ns = cloud_time_ns(labels.header);
+  loan->cloud_publication_time_ns() = header.arrival_time_ns;
+  header.publication_time_ns = monotonic_now_ns();
+  return std::move(*loan).publish();
 }
 
 bool SensorReplay::publish(const recording::SegmentList& list) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "idl/frame_key.hpp"
+#include "libcleave/cloud_writer.hpp"
 #include "libcleave/lossless_flow.hpp"
 #include "libcleave/process/sensor_lock.hpp"
 #include "libcleave/status.hpp"
@@ -56,8 +57,8 @@ class SensorReplay {
   void publish_status();
 
   std::optional<SensorLock> lock_;
-  std::optional<Writer<DepthCloud>> clouds_;
-  std::optional<Writer<LabelMap>> labels_;
+  std::optional<CloudWriter> clouds_;
+  std::optional<LabelWriter> labels_;
   std::optional<Writer<SegmentList>> lists_;
   std::optional<LosslessFlow> flow_;
   StatusPublisher statuses_;

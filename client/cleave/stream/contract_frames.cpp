@@ -2,7 +2,10 @@
 #include "cleave/stream/contract_frames.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "idl/copy_fields.hpp"
 #include "idl/fields.hpp"
@@ -12,13 +15,17 @@
 namespace cleave::client {
 namespace {
 
-std::size_t checked_points(const FrameHeader& header) {
-  const std::uint64_t points = point_count(header);
-  if (points == 0 || points > capacity_points) {
+// A copy of the header, and of as many values as it says.
+template <class Value>
+std::vector<Value> checked(const recording::FrameHeader& header, std::span<const Value> room,
+                           std::size_t values_a_point) {
+  const std::uint64_t points = header.points();
+  if (points == 0 || points > room.size() / values_a_point) {
     throw recording::DataError("a frame of " + std::to_string(header.width) + " x " +
                                std::to_string(header.height) + " points");
   }
-  return static_cast<std::size_t>(points);
+  const auto values = room.first(static_cast<std::size_t>(points) * values_a_point);
+  return {values.begin(), values.end()};
 }
 
 struct FromStream : fields::Copy<FromStream> {
@@ -55,16 +62,16 @@ recording::FrameHeader frame_of(const FrameHeader& message) {
   return header;
 }
 
-recording::Cloud frame_of(const DepthCloud& cloud) {
-  const float* const xyz = static_cast<const float*>(cloud.xyz);
-  return {frame_of(cloud.header), {xyz, xyz + 3 * checked_points(cloud.header)}};
+recording::Cloud frame_of(const CloudSample& cloud) {
+  recording::FrameHeader header = frame_of(cloud.header());
+  std::vector<float> xyz = checked(header, cloud.room(), 3);
+  return {std::move(header), std::move(xyz)};
 }
 
-recording::Labels frame_of(const LabelMap& labels) {
-  const std::uint16_t* const label = static_cast<const std::uint16_t*>(labels.label);
-  return {frame_of(labels.header),
-          labels.cloud_publication_time_ns,
-          {label, label + checked_points(labels.header)}};
+recording::Labels frame_of(const LabelSample& labels) {
+  recording::FrameHeader header = frame_of(labels.header());
+  std::vector<std::uint16_t> label = checked(header, labels.room(), 1);
+  return {std::move(header), labels.cloud_publication_time_ns(), std::move(label)};
 }
 
 recording::SegmentList frame_of(const SegmentList& message) {
@@ -77,15 +84,15 @@ void fill(FrameHeader& message, const recording::FrameHeader& header) {
   fields::header(ToStream{}, header, message);
 }
 
-void fill(DepthCloud& message, const recording::Cloud& cloud) {
-  fill(message.header, cloud.header);
-  std::copy(cloud.xyz.begin(), cloud.xyz.end(), static_cast<float*>(message.xyz));
+void fill(const CloudLoan& message, const recording::Cloud& cloud) {
+  fill(message.header(), cloud.header);
+  std::ranges::copy(cloud.xyz, message.room().begin());
 }
 
-void fill(LabelMap& message, const recording::Labels& labels) {
-  fill(message.header, labels.header);
-  message.cloud_publication_time_ns = labels.cloud_publication_time_ns;
-  std::copy(labels.label.begin(), labels.label.end(), static_cast<std::uint16_t*>(message.label));
+void fill(const LabelLoan& message, const recording::Labels& labels) {
+  fill(message.header(), labels.header);
+  message.cloud_publication_time_ns() = labels.cloud_publication_time_ns;
+  std::ranges::copy(labels.label, message.room().begin());
 }
 
 SegmentListMessage::SegmentListMessage(const recording::SegmentList& list)

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "libcleave/cloud_reader.hpp"
+#include "libcleave/cloud_writer.hpp"
 #include "libcleave/types.hpp"
 #include "recording/frames/frame.hpp"
 
@@ -12,15 +14,15 @@ namespace cleave::client {
 // From what came over the stream. A cloud's and a label map's throw recording::DataError for a size
 // that cannot be: 0 points, or more than the contract's capacity.
 [[nodiscard]] recording::FrameHeader frame_of(const FrameHeader& header);
-[[nodiscard]] recording::Cloud frame_of(const DepthCloud& cloud);
-[[nodiscard]] recording::Labels frame_of(const LabelMap& labels);
+[[nodiscard]] recording::Cloud frame_of(const CloudSample& cloud);
+[[nodiscard]] recording::Labels frame_of(const LabelSample& labels);
 [[nodiscard]] recording::SegmentList frame_of(const SegmentList& list);
 
 // Into memory that is to be published, in which the points have room. Throw recording::DataError
 // for a name of more than 63 characters.
 void fill(FrameHeader& message, const recording::FrameHeader& header);
-void fill(DepthCloud& message, const recording::Cloud& cloud);
-void fill(LabelMap& message, const recording::Labels& labels);
+void fill(const CloudLoan& message, const recording::Cloud& cloud);
+void fill(const LabelLoan& message, const recording::Labels& labels);
 
 // A SegmentList and the memory of its sequences.
 class SegmentListMessage {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/watch/watch_session.hpp"
 
-#include <span>
-
 #include "cleave/stream/contract_frames.hpp"
 #include "cleave/stream/list_arrival.hpp"
 
@@ -127,17 +125,15 @@ WatchSummary WatchSession::summary() const {
 
 std::optional<DepthImage> WatchSession::last_image() const {
   if (!last_frame_) return std::nullopt;
-  const DepthCloud& cloud = *last_frame_->cloud;
-  const LabelMap& labels = *last_frame_->labels;
-  const std::uint64_t points = point_count(cloud.header);
-  if (points == 0 || points > capacity_points || cloud.header.width != labels.header.width ||
-      cloud.header.height != labels.header.height) {
+  const CloudSample& cloud = last_frame_->cloud;
+  const LabelSample& labels = last_frame_->labels;
+  const FrameHeader& header = cloud.header();
+  if (cloud.xyz().empty() || labels.labels().empty() || header.width != labels.header().width ||
+      header.height != labels.header().height) {
     return std::nullopt;
   }
-  return depth_image({.xyz = static_cast<const float*>(cloud.xyz),
-                      .width = cloud.header.width,
-                      .height = cloud.header.height},
-                     std::span(static_cast<const std::uint16_t*>(labels.label), points));
+  return depth_image(
+      {.xyz = cloud.xyz().data(), .width = header.width, .height = header.height}, labels.labels());
 }
 
 }  // namespace cleave::client

@@ -13,6 +13,7 @@
 #include "cleave/watch/watch_end.hpp"
 #include "cleave/watch/watch_report.hpp"
 #include "console/picture/depth_image.hpp"
+#include "libcleave/cloud_reader.hpp"
 #include "libcleave/joiner.hpp"
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/reader.hpp"
@@ -49,8 +50,8 @@ class WatchSession {
   std::string sensor_;
   Reader<SegmentList> lists_;
   Reader<NodeStatus> statuses_;
-  Reader<LabelMap> label_maps_;
-  std::optional<Reader<DepthCloud>> clouds_;
+  LabelReader label_maps_;
+  std::optional<CloudReader> clouds_;
   WaitSet wait_set_;
   Joiner joiner_;
   std::optional<JoinedFrame> last_frame_;

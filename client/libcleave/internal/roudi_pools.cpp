@@ -16,6 +16,7 @@ extern "C" {
 #include <dds/ddsi/ddsi_shm_transport.h>
 
 #include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/types.hpp"
 
 namespace cleave {
 namespace {
@@ -62,7 +63,8 @@ std::string obstacle_of_pools(std::uint32_t bytes) {
   iox_runtime_init(("cleave_" + std::to_string(::getpid())).c_str());
   if (PoolQuestion().fits(bytes)) return {};
   return "RouDi's pools have no chunks of " + std::to_string(bytes) +
-         " bytes: start it with `iox-roudi -c config/roudi.toml`";
+         " bytes: start it with `iox-roudi -c config/" +
+         (bytes > sizeof(DepthCloud) ? "roudi-large.toml`" : "roudi.toml`");
 }
 
 }  // namespace cleave

@@ -14,6 +14,16 @@ Topic topic_of<LabelMap>(std::string_view sensor) {
 }
 
 template <>
+Topic topic_of<LargeDepthCloud>(std::string_view sensor) {
+  return {large_cloud_topic(sensor), &cleave_v1_LargeDepthCloud_desc, Domain::bulk, 2, false};
+}
+
+template <>
+Topic topic_of<LargeLabelMap>(std::string_view sensor) {
+  return {large_labels_topic(sensor), &cleave_v1_LargeLabelMap_desc, Domain::bulk, 2, false};
+}
+
+template <>
 Topic topic_of<SegmentList>(std::string_view sensor) {
   return {segments_topic(sensor), &cleave_v1_SegmentList_desc, Domain::public_domain, 4, false};
 }

@@ -30,6 +30,10 @@ Topic topic_of<DepthCloud>(std::string_view sensor);
 template <>
 Topic topic_of<LabelMap>(std::string_view sensor);
 template <>
+Topic topic_of<LargeDepthCloud>(std::string_view sensor);
+template <>
+Topic topic_of<LargeLabelMap>(std::string_view sensor);
+template <>
 Topic topic_of<SegmentList>(std::string_view sensor);
 template <>
 Topic topic_of<NodeStatus>(std::string_view sensor);

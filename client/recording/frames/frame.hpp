@@ -14,6 +14,23 @@
 
 namespace cleave::recording {
 
+struct Point {
+  float x = 0, y = 0, z = 0;
+  bool operator==(const Point&) const = default;
+};
+
+struct Quaternion {
+  float x = 0, y = 0, z = 0, w = 0;
+  bool operator==(const Quaternion&) const = default;
+};
+
+// p_parent = orientation * p + position.
+struct Pose {
+  Point position;          // metres
+  Quaternion orientation;  // unit length; all 0 = not known
+  bool operator==(const Pose&) const = default;
+};
+
 // As the contract's FrameHeader.
 struct FrameHeader {
   std::uint64_t frame_id = 0;
@@ -30,6 +47,8 @@ struct FrameHeader {
   float cy = 0;
   std::string sensor;            // at most 63 characters
   std::string coordinate_frame;  // at most 63 characters
+  std::string parent_frame;      // at most 63 characters
+  Pose pose;                     // of coordinate_frame in parent_frame
   bool operator==(const FrameHeader&) const = default;
 
   [[nodiscard]] std::uint64_t points() const { return std::uint64_t{width} * height; }
@@ -47,16 +66,6 @@ struct Labels {
   std::int64_t cloud_publication_time_ns = 0;
   std::vector<std::uint16_t> label;  // one a point
   bool operator==(const Labels&) const = default;
-};
-
-struct Point {
-  float x = 0, y = 0, z = 0;
-  bool operator==(const Point&) const = default;
-};
-
-struct Quaternion {
-  float x = 0, y = 0, z = 0, w = 0;
-  bool operator==(const Quaternion&) const = default;
 };
 
 struct ImageRectangle {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "libcleave/types.hpp"
 #include "segmentation/segmentation.hpp"
@@ -16,12 +17,21 @@
 
 namespace cleave::service {
 
-// Checked, and waiting for a worker. Owns the sample, which may be the writer's own memory: of that
-// only the points are read, the header is a private copy.
+// A cloud where the transport put it, which may be the writer's own memory; it stays there until the
+// last owner lets it go.
+struct ReceivedCloud {
+  std::shared_ptr<const void> owner;
+  const FrameHeader* header = nullptr;
+  std::span<const float> room;  // x, y, z of as many points as its type has room for
+  bool zero_copy = false;
+};
+
+// Checked, and waiting for a worker. Of the cloud only the points are read: the header is a private
+// copy.
 struct Frame {
   std::uint64_t ticket = 0;
   FrameHeader header{};
-  std::shared_ptr<const DepthCloud> cloud;
+  ReceivedCloud cloud;
   std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
 };
 
@@ -31,7 +41,7 @@ struct FinishedFrame {
   std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
   std::optional<RejectCause> rejected;
   FrameQueue<Frame>::Place place;     // lets the next frame in when this one, and its loan, is gone
-  std::unique_ptr<LabelLoan> labels;  // empty for a rejected frame
+  std::unique_ptr<LabelMemory> labels;  // empty for a rejected frame
   segmentation::Segmentation segmentation;
   float queue_ms = 0;
   float segmentation_ms = 0;

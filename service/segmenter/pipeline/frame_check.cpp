@@ -23,11 +23,14 @@ FrameHeader private_copy(const FrameHeader& shared) {
   return copy;
 }
 
-std::optional<RejectCause> check_header(const FrameHeader& header, std::string_view sensor) {
-  if (!ends(header.sensor) || !ends(header.coordinate_frame)) return RejectCause::bad_header;
+std::optional<RejectCause> check_header(const FrameHeader& header, std::string_view sensor,
+                                        std::size_t capacity) {
+  if (!ends(header.sensor) || !ends(header.coordinate_frame) || !ends(header.parent_frame)) {
+    return RejectCause::bad_header;
+  }
   if (name_of(header.sensor) != sensor) return RejectCause::bad_header;
   const std::uint64_t points = point_count(header);
-  if (points == 0 || points > capacity_points) return RejectCause::bad_size;
+  if (points == 0 || points > capacity) return RejectCause::bad_size;
   return std::nullopt;
 }
 
@@ -35,6 +38,7 @@ FrameHeader answerable(FrameHeader header, std::string_view sensor) {
   std::fill(std::begin(header.sensor), std::end(header.sensor), '\0');
   sensor.copy(header.sensor, sizeof header.sensor - 1);
   if (!ends(header.coordinate_frame)) header.coordinate_frame[0] = '\0';
+  if (!ends(header.parent_frame)) header.parent_frame[0] = '\0';
   return header;
 }
 

@@ -15,10 +15,11 @@ namespace cleave::service {
 // use nothing but the copy.
 [[nodiscard]] FrameHeader private_copy(const FrameHeader& shared);
 
-// Empty: width * height points lie within the cloud, both names end within their arrays, and the
-// frame is of `sensor`.
+// Empty: width * height points are not more than `capacity`, all names end within their arrays, and
+// the frame is of `sensor`.
 [[nodiscard]] std::optional<RejectCause> check_header(const FrameHeader& header,
-                                                      std::string_view sensor);
+                                                      std::string_view sensor,
+                                                      std::size_t capacity);
 
 // A header that may be published: names that do not end, or another sensor's, are replaced.
 [[nodiscard]] FrameHeader answerable(FrameHeader header, std::string_view sensor);

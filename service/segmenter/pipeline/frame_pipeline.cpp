@@ -36,10 +36,11 @@ FramePipeline::FramePipeline(const PipelineSettings& settings, ResultSink& sink,
   }
 }
 
-void FramePipeline::accept(std::shared_ptr<const DepthCloud> cloud, bool zero_copy) {
-  const FrameHeader header = private_copy(cloud->header);
-  const std::optional<RejectCause> bad = check_header(header, settings_.sensor);
-  const Arrived arrived = ledger_.arrive(key_of(header), zero_copy);
+void FramePipeline::accept(ReceivedCloud cloud) {
+  const FrameHeader header = private_copy(*cloud.header);
+  const std::optional<RejectCause> bad =
+      check_header(header, settings_.sensor, cloud.room.size() / 3);
+  const Arrived arrived = ledger_.arrive(key_of(header), cloud.zero_copy);
   if (arrived.missed > 0) report_gap(header, arrived.missed);
   if (arrived.arrival == Arrival::in_flight) return;
   if (bad) {
@@ -57,7 +58,7 @@ void FramePipeline::answer_rejected(const FrameHeader& header, RejectCause cause
   order_.complete(order_.draw(), std::move(finished));
 }
 
-void FramePipeline::enqueue(const FrameHeader& header, std::shared_ptr<const DepthCloud> cloud) {
+void FramePipeline::enqueue(const FrameHeader& header, ReceivedCloud cloud) {
   const std::optional<Frame> crowded_out =
       queue_.push({order_.draw(), header, std::move(cloud), monotonic_now_ns()});
   if (crowded_out) drop(*crowded_out, DropCause::queue);
@@ -75,10 +76,9 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
   finished.header = frame.header;
   finished.accepted_ns = frame.accepted_ns;
   finished.place = std::move(taken.place);
-  finished.labels = sink_.loan_labels();
+  finished.labels = sink_.loan_labels(point_count(frame.header));
   if (!finished.labels) {
-    report(frame, "dropped",
-           "no chunk is free for its label map; some reader holds too many samples");
+    report(frame, "dropped", sink_.no_memory());
     drop(frame, DropCause::no_free_chunk);
     return;
   }
@@ -92,7 +92,7 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
   }
   finished.queue_ms = milliseconds(started_ns - frame.accepted_ns);
   finished.segmentation_ms = milliseconds(monotonic_now_ns() - started_ns);
-  frame.cloud.reset();
+  frame.cloud = {};
   if (finished.rejected) finished.labels.reset();
   order_.complete(frame.ticket, std::move(finished));
 }
@@ -100,8 +100,8 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
 // Reads the points, and writes the labels, where the transport has them.
 std::optional<RejectCause> FramePipeline::segment_into(FinishedFrame& finished, const Frame& frame,
                                                        const SegmentFunction& segment) {
-  const segmentation::CloudView cloud{frame.cloud->xyz, 3, frame.header.width, frame.header.height};
-  const std::span<std::uint16_t> labels(finished.labels->map().label, cloud.size());
+  const segmentation::CloudView cloud{frame.cloud.room.data(), 3, frame.header.width, frame.header.height};
+  const std::span<std::uint16_t> labels = finished.labels->room().first(cloud.size());
   if (settings_.check_unit && has_wrong_unit(frame, cloud)) return RejectCause::wrong_unit;
   const auto rejected = reject_cause(segment(cloud, labels, finished.segmentation));
   if (!rejected) advise(segmentation::doubt_about(finished.segmentation));

@@ -52,7 +52,7 @@ class FramePipeline {
 
   // From one thread. Live: returns at once. Lossless: waits while the queue is full. The cloud is
   // let go as soon as it is segmented.
-  void accept(std::shared_ptr<const DepthCloud> cloud, bool zero_copy);
+  void accept(ReceivedCloud cloud);
 
   // Publishes all that was accepted, and ends the workers. No accept() after it.
   void drain();
@@ -63,7 +63,7 @@ class FramePipeline {
 
  private:
   void answer_rejected(const FrameHeader& header, RejectCause cause);
-  void enqueue(const FrameHeader& header, std::shared_ptr<const DepthCloud> cloud);
+  void enqueue(const FrameHeader& header, ReceivedCloud cloud);
   void work(const SegmentFunction& segment);
   void process(FrameQueue<Frame>::Taken taken, const SegmentFunction& segment);
   [[nodiscard]] std::optional<RejectCause> segment_into(FinishedFrame& finished, const Frame& frame,

@@ -20,10 +20,9 @@ void ResultPublisher::publish(FinishedFrame& frame) {
 
 bool ResultPublisher::publish_labels(FinishedFrame& frame) {
   if (!frame.labels) return true;
-  LabelMap& map = frame.labels->map();
-  map.header = frame.header;
-  map.cloud_publication_time_ns = frame.header.publication_time_ns;
-  map.header.publication_time_ns = monotonic_now_ns();
+  frame.labels->header() = frame.header;
+  frame.labels->cloud_publication_time_ns() = frame.header.publication_time_ns;
+  frame.labels->header().publication_time_ns = monotonic_now_ns();
   return frame.labels->publish();
 }
 

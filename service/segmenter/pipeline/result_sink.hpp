@@ -2,21 +2,27 @@
 // Where results go, as the pipeline sees it: DDS writers in the daemon, memory in tests.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 
 #include "libcleave/types.hpp"
 
 namespace cleave::service {
 
 // Memory for one label map, goes back unused unless it is published. Contents start undefined.
-class LabelLoan {
+class LabelMemory {
  public:
-  LabelLoan() = default;
-  virtual ~LabelLoan() = default;
-  LabelLoan(const LabelLoan&) = delete;
-  LabelLoan& operator=(const LabelLoan&) = delete;
+  LabelMemory() = default;
+  virtual ~LabelMemory() = default;
+  LabelMemory(const LabelMemory&) = delete;
+  LabelMemory& operator=(const LabelMemory&) = delete;
 
-  [[nodiscard]] virtual LabelMap& map() = 0;
+  [[nodiscard]] virtual FrameHeader& header() = 0;
+  [[nodiscard]] virtual std::int64_t& cloud_publication_time_ns() = 0;
+  // Room for as many labels as were asked for, and more.
+  [[nodiscard]] virtual std::span<std::uint16_t> room() = 0;
   // Once. False: refused, and lost.
   [[nodiscard]] virtual bool publish() = 0;
 };
@@ -32,8 +38,9 @@ class ResultSink {
   ResultSink(const ResultSink&) = delete;
   ResultSink& operator=(const ResultSink&) = delete;
 
-  // Empty when there is no memory: readers hoard it.
-  [[nodiscard]] virtual std::unique_ptr<LabelLoan> loan_labels() = 0;
+  // For a map of so many points. Empty when there is no memory: no_memory() says why.
+  [[nodiscard]] virtual std::unique_ptr<LabelMemory> loan_labels(std::uint64_t points) = 0;
+  [[nodiscard]] virtual std::string no_memory() const = 0;
   // False: refused, and lost.
   [[nodiscard]] virtual bool publish(const SegmentList& segments) = 0;
 };

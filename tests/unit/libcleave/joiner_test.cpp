@@ -4,18 +4,21 @@
 #include <dds/dds.h>
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include "libcleave/internal/topic.hpp"
 
 namespace cleave {
 namespace {
 
 template <class T>
-Sample<T> sample(std::uint32_t epoch, std::uint64_t frame_id) {
+auto sample(std::uint32_t epoch, std::uint64_t frame_id) {
+  using SampleType = std::conditional_t<std::is_same_v<T, DepthCloud>, CloudSample, LabelSample>;
   const auto* const descriptor = topic_of<T>("x").descriptor;
   void* const memory = dds_alloc(sizeof(T));
   static_cast<T*>(memory)->header.epoch = epoch;
   static_cast<T*>(memory)->header.frame_id = frame_id;
-  return Sample<T>(RawSample(nullptr, memory, memory, descriptor));
+  return SampleType(RawSample(nullptr, memory, memory, descriptor), false);
 }
 
 TEST(Joiner, PairsACloudWithTheLabelsThatFollowIt) {

@@ -25,11 +25,11 @@ std::optional<RejectCause> check_size(std::uint32_t width, std::uint32_t height)
   FrameHeader header = good_header();
   header.width = width;
   header.height = height;
-  return check_header(header, "camera");
+  return check_header(header, "camera", small_capacity_points);
 }
 
 TEST(FrameCheck, AcceptsAFullFrame) {
-  EXPECT_EQ(check_header(good_header(), "camera"), std::nullopt);
+  EXPECT_EQ(check_header(good_header(), "camera", small_capacity_points), std::nullopt);
 }
 
 TEST(FrameCheck, AcceptsASinglePoint) {
@@ -65,14 +65,14 @@ TEST(FrameCheck, RejectsASensorNameThatDoesNotEnd) {
   FrameHeader header = good_header();
   std::fill(std::begin(header.sensor), std::end(header.sensor), 'x');
 
-  EXPECT_EQ(check_header(header, "camera"), RejectCause::bad_header);
+  EXPECT_EQ(check_header(header, "camera", small_capacity_points), RejectCause::bad_header);
 }
 
 TEST(FrameCheck, RejectsAnEmptySensorName) {
   FrameHeader header = good_header();
   header.sensor[0] = '\0';
 
-  EXPECT_EQ(check_header(header, "camera"), RejectCause::bad_header);
+  EXPECT_EQ(check_header(header, "camera", small_capacity_points), RejectCause::bad_header);
 }
 
 TEST(FrameCheck, RejectsAnotherSensorsFrame) {
@@ -84,7 +84,7 @@ TEST(FrameCheck, RejectsACoordinateFrameThatDoesNotEnd) {
   FrameHeader header = good_header();
   std::fill(std::begin(header.coordinate_frame), std::end(header.coordinate_frame), 'x');
 
-  EXPECT_EQ(check_header(header, "camera"), RejectCause::bad_header);
+  EXPECT_EQ(check_header(header, "camera", small_capacity_points), RejectCause::bad_header);
 }
 
 TEST(FrameCheck, AnswersABadHeaderUnderTheSensorsNameWithNamesThatEnd) {

@@ -25,7 +25,7 @@ TEST_P(FramePipelineWorkers, PublishEveryFrameOf200InOrderInLosslessMode) {
 
   std::vector<std::uint64_t> sent;
   for (std::uint64_t id = 1; id <= 200; ++id) {
-    pipeline.accept(cloud(id), true);
+    pipeline.accept(received(cloud(id), true));
     sent.push_back(id);
     expect_balanced(pipeline.counts());
   }
@@ -45,7 +45,7 @@ TEST_P(FramePipelineWorkers, KeepOrderAndBooksInLiveModeWhenOverrun) {
   FramePipeline pipeline({"camera", Mode::live, 2}, sink, random_workers(GetParam()));
 
   for (std::uint64_t id = 1; id <= 200; ++id) {
-    pipeline.accept(cloud(id), true);
+    pipeline.accept(received(cloud(id), true));
     if (id % 4 == 0) std::this_thread::sleep_for(std::chrono::microseconds(500));
     expect_balanced(pipeline.counts());
   }
@@ -69,9 +69,9 @@ TEST(FramePipeline, AnswersABadSizeInItsPlaceInTheOrder) {
   bad->header.width = 641;
   bad->header.height = 480;
 
-  pipeline.accept(cloud(1), false);
-  pipeline.accept(bad, false);
-  pipeline.accept(cloud(3), false);
+  pipeline.accept(received(cloud(1), false));
+  pipeline.accept(received(bad, false));
+  pipeline.accept(received(cloud(3), false));
   pipeline.drain();
 
   EXPECT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 2, 3}));
@@ -89,7 +89,7 @@ TEST(FramePipeline, AnswersABadHeaderUnderTheSensorsName) {
   const auto foreign = cloud(2);
   ASSERT_TRUE(set_name(foreign->header.sensor, "other"));
 
-  for (const auto& frame : {cloud(1), foreign, cloud(3)}) pipeline.accept(frame, false);
+  for (const auto& frame : {cloud(1), foreign, cloud(3)}) pipeline.accept(received(frame, false));
   pipeline.drain();
 
   EXPECT_EQ(sink.lists.at(1).outcome, cleave_v1_OUTCOME_REJECTED_BAD_HEADER);
@@ -105,7 +105,7 @@ TEST(FramePipeline, RejectsACloudWithoutAFinitePointAndPublishesNoLabelsForIt) {
                                            Segmentation&) { return Outcome::no_finite_point; };
   FramePipeline pipeline({"camera", Mode::live, 2}, sink, {nothing_there});
 
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   pipeline.drain();
 
   ASSERT_EQ(sink.lists.size(), 1U);
@@ -131,7 +131,7 @@ std::shared_ptr<DepthCloud> slope_in_millimetres(std::uint64_t id) {
 TEST(FramePipeline, SegmentsWhatLooksLikeMillimetresIfItIsToldNotToCheck) {
   FakeSink sink;
   FramePipeline pipeline({"camera", Mode::lossless, 8, false}, sink, random_workers(1));
-  pipeline.accept(slope_in_millimetres(1), false);
+  pipeline.accept(received(slope_in_millimetres(1), false));
   pipeline.drain();
 
   ASSERT_EQ(sink.lists.size(), 1U);
@@ -142,7 +142,7 @@ TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
   FakeSink sink;
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, random_workers(1));
 
-  for (const auto& frame : {cloud(1), slope_in_millimetres(2)}) pipeline.accept(frame, false);
+  for (const auto& frame : {cloud(1), slope_in_millimetres(2)}) pipeline.accept(received(frame, false));
   pipeline.drain();
 
   ASSERT_EQ(sink.lists.size(), 2U);
@@ -171,7 +171,7 @@ std::string last_problem_after(const std::vector<Find>& finds) {
   for (std::uint64_t id = 1; id <= finds.size(); ++id) {
     const auto frame = cloud(id);
     frame->xyz[0] = static_cast<float>(finds[id - 1]);
-    pipeline.accept(frame, false);
+    pipeline.accept(received(frame, false));
   }
   pipeline.drain();
   return pipeline.last_problem();
@@ -199,7 +199,7 @@ TEST(FramePipeline, AnswersAFrameOnWhichTheSegmenterThrows) {
   };
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {throws_on_two});
 
-  for (std::uint64_t id = 1; id <= 3; ++id) pipeline.accept(cloud(id), false);
+  for (std::uint64_t id = 1; id <= 3; ++id) pipeline.accept(received(cloud(id), false));
   pipeline.drain();
 
   ASSERT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 2, 3}));
@@ -215,7 +215,7 @@ TEST(FramePipeline, DropsAndCountsAFrameWhenNoChunkIsFree) {
   sink.exhausted = true;
   FramePipeline pipeline({"camera", Mode::live, 2}, sink, random_workers(1));
 
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   pipeline.drain();
 
   EXPECT_TRUE(sink.lists.empty());
@@ -228,7 +228,7 @@ TEST(FramePipeline, CountsAFrameAsDroppedWhenItsResultsAreRefused) {
   sink.refuses = true;
   FramePipeline pipeline({"camera", Mode::live, 2}, sink, random_workers(1));
 
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   pipeline.drain();
 
   EXPECT_EQ(pipeline.counts().published, 0U);

@@ -31,10 +31,11 @@ class FakeSink : public ResultSink {
     std::string sensor;
   };
 
-  [[nodiscard]] std::unique_ptr<LabelLoan> loan_labels() override {
+  [[nodiscard]] std::unique_ptr<LabelMemory> loan_labels(std::uint64_t /*points*/) override {
     if (exhausted) return nullptr;
     return std::make_unique<Loan>(*this);
   }
+  [[nodiscard]] std::string no_memory() const override { return "the sink is exhausted"; }
   [[nodiscard]] bool publish(const SegmentList& list) override {
     if (refuses) return false;
     lists.push_back({list.header.frame_id, list.outcome, list.segments._length,
@@ -56,7 +57,7 @@ class FakeSink : public ResultSink {
   std::vector<std::uint16_t> first_labels;
 
  private:
-  class Loan : public LabelLoan {
+  class Loan : public LabelMemory {
    public:
     explicit Loan(FakeSink& sink) : sink_(sink) {
       const int now = ++sink_.loans;
@@ -65,7 +66,11 @@ class FakeSink : public ResultSink {
       }
     }
     ~Loan() override { --sink_.loans; }
-    [[nodiscard]] LabelMap& map() override { return *map_; }
+    [[nodiscard]] FrameHeader& header() override { return map_->header; }
+    [[nodiscard]] std::int64_t& cloud_publication_time_ns() override {
+      return map_->cloud_publication_time_ns;
+    }
+    [[nodiscard]] std::span<std::uint16_t> room() override { return map_->label; }
     [[nodiscard]] bool publish() override {
       sink_.label_ids.push_back(map_->header.frame_id);
       sink_.first_labels.push_back(map_->label[0]);
@@ -90,6 +95,11 @@ inline std::shared_ptr<DepthCloud> cloud(std::uint64_t frame_id) {
   made->xyz[0] = static_cast<float>(frame_id);
   EXPECT_TRUE(set_name(made->header.sensor, "camera"));
   return made;
+}
+
+inline ReceivedCloud received(std::shared_ptr<const DepthCloud> sample, bool zero_copy) {
+  const DepthCloud& cloud = *sample;
+  return {std::move(sample), &cloud.header, cloud.xyz, zero_copy};
 }
 
 // Labels the first point with the cloud's first coordinate, and finds one segment.

@@ -39,12 +39,12 @@ TEST(SlowFrame, IgnoresAResendInFlightAndAnswersOneThatWasPublished) {
   Gate gate;
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {gate.worker()});
 
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   gate.wait_until_entered();
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   gate.open();
   while (pipeline.counts().in_flight > 0) std::this_thread::yield();
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   pipeline.drain();
 
   EXPECT_EQ(sink.list_ids(), (std::vector<std::uint64_t>{1, 1}));
@@ -57,11 +57,11 @@ TEST(SlowFrame, LetsGoOfTheCloudBeforeItsTurnToBePublishedComes) {
   FakeSink sink;
   Gate gate;
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, {gate.worker(), gate.worker()});
-  pipeline.accept(cloud(1), false);
+  pipeline.accept(received(cloud(1), false));
   gate.wait_until_entered();
   auto second = cloud(2);
   const std::weak_ptr<const DepthCloud> watched = second;
-  pipeline.accept(std::move(second), false);
+  pipeline.accept(received(std::move(second), false));
 
   while (!watched.expired()) std::this_thread::yield();
   EXPECT_TRUE(sink.lists.empty());
@@ -76,7 +76,7 @@ TEST(SlowFrame, HoldsNoMoreLoansThanAWriterHasWhileASlowFrameBlocksTheOrder) {
   Gate gate;
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink,
                          {gate.worker(), gate.worker(), gate.worker()});
-  for (std::uint64_t id = 1; id <= 16; ++id) pipeline.accept(cloud(id), false);
+  for (std::uint64_t id = 1; id <= 16; ++id) pipeline.accept(received(cloud(id), false));
   while (sink.loans < static_cast<int>(ResultSink::max_loans)) std::this_thread::yield();
 
   gate.open();

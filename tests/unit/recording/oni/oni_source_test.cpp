@@ -130,7 +130,7 @@ TEST(OniSource, PlaysImagesOfMoreThan640x480PixelsWhereTheyAreDecimated) {
   recording.height = 480;
   recording.frames = {oni::test::example_image(recording.width, recording.height, 1)};
   const TestFile file(recording.bytes());
-  const auto source = make_source("oni:" + file.path().string(), {}, {}, 2);
+  const auto source = make_source("oni:" + file.path().string(), {}, {}, {.decimate = 2});
   ASSERT_EQ(source->open(), std::nullopt);
   Frame frame;
   ASSERT_EQ(source->next({}, frame), Poll::frame);

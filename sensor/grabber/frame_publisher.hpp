@@ -5,21 +5,27 @@
 #include <string>
 
 #include "idl/frame_key.hpp"
+#include "libcleave/cloud_writer.hpp"
 #include "libcleave/lossless_flow.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
-#include "libcleave/writer.hpp"
 #include "sensor/sources/source.hpp"
 
 namespace cleave::sensor {
 
-enum class Publication { done, no_free_chunk, refused };
+enum class Publication { done, no_free_chunk, no_large_chunks, refused };
 
-class CloudPublisher {
+// The frames that points are in.
+struct Place {
+  std::string coordinate_frame;
+  std::string parent_frame;
+  cleave_v1_Pose pose{};
+};
+
+class FramePublisher {
  public:
   // Names must fit the contract. `depth`: clouds kept for readers that the network serves.
-  CloudPublisher(Stream& stream, const std::string& sensor, const std::string& coordinate_frame,
-                 WriterDepth depth);
+  FramePublisher(Stream& stream, const std::string& sensor, const Place& place, WriterDepth depth);
 
   // The source writes its points straight into the memory that is published. With `copy` they are
   // also put there.
@@ -27,12 +33,12 @@ class CloudPublisher {
                                     KeptFrame* copy);
 
   // For frames that must be published again.
-  [[nodiscard]] Writer<DepthCloud>& writer() { return writer_; }
+  [[nodiscard]] CloudWriter& writer() { return writer_; }
   [[nodiscard]] unsigned readers() const { return writer_.matched_readers(); }
   [[nodiscard]] bool zero_copy() const { return writer_.zero_copy(); }
 
  private:
-  Writer<DepthCloud> writer_;
+  CloudWriter writer_;
   FrameHeader header_;  // with the names filled in
 };
 
