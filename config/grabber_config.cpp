@@ -13,11 +13,13 @@ namespace {
 constexpr std::size_t max_frame_name_length = 63;  // char coordinate_frame[64] in the contract
 constexpr std::string_view frame_suffix = "_optical";
 
-VideoConfig read_video_config(Section& file, std::uint32_t decimate) {
+VideoConfig read_video_config(Section& file, const ImageSize& instead, std::uint32_t decimate) {
   VideoConfig config;
   Section section = file.section("video");
   section.integer("width", config.width, 16, 4096);
   section.integer("height", config.height, 16, 4096);
+  config.width = instead.width.value_or(config.width);
+  config.height = instead.height.value_or(config.height);
   if (std::uint64_t{config.width / decimate} * (config.height / decimate) > capacity_points) {
     section.refuse("height", "at most " + std::to_string(capacity_points) + " (" + capacity_text() +
                                  ") pixels in all, once decimated");
@@ -63,6 +65,9 @@ void read_pose(Section& section, CalibrationConfig& config) {
   if (known && std::abs(length - 1) > 0.01F) {
     section.refuse("orientation", "a quaternion of unit length, or all 0");
   }
+  if (!known && (config.position.x != 0 || config.position.y != 0 || config.position.z != 0)) {
+    section.refuse("position", "an orientation beside it; {w: 1} turns nothing");
+  }
   if (known == config.parent_frame.empty()) {
     section.refuse("parent_frame", "parent_frame and orientation both, or neither");
   }
@@ -85,8 +90,7 @@ bool is_unit(const std::string& name) {
 
 }  // namespace
 
-GrabberConfig load_grabber_config(const std::filesystem::path& path,
-                                  std::optional<std::uint32_t> decimate) {
+GrabberConfig load_grabber_config(const std::filesystem::path& path, const ImageSize& instead) {
   GrabberConfig config;
   Section file = Section::load(path);
   file.text("sensor", config.sensor);
@@ -101,11 +105,11 @@ GrabberConfig load_grabber_config(const std::filesystem::path& path,
   file.integer("fps", config.fps, 1, 240);
   file.number("max_gap_s", config.max_gap_s, 0, 86'400);
   file.integer("decimate", config.decimate, 1, 4);
-  if (decimate) config.decimate = *decimate;
+  config.decimate = instead.decimate.value_or(config.decimate);
   file.boolean("loop", config.loop);
   read_mode(file, config.mode);
   file.integer("window", config.window, 1, 4);
-  config.video = read_video_config(file, config.decimate);
+  config.video = read_video_config(file, instead, config.decimate);
   config.calibration = read_calibration(file);
   config.stream = read_stream_config(file);
   file.finish();

@@ -25,9 +25,13 @@ struct CalibrationConfig {
   float fx = 0, fy = 0, cx = 0, cy = 0;
   float depth_scale = 1;  // 0.5 to 2: what depths are multiplied by
   // Where the sensor is: p_parent = orientation * p + position.
-  std::string parent_frame;                                 // empty = not known
-  struct { float x = 0, y = 0, z = 0; } position;           // metres
-  struct { float x = 0, y = 0, z = 0, w = 0; } orientation;  // unit length; all 0 = not known
+  std::string parent_frame;  // empty = not known
+  struct {
+    float x = 0, y = 0, z = 0;
+  } position;  // metres
+  struct {
+    float x = 0, y = 0, z = 0, w = 0;
+  } orientation;  // unit length; all 0 = not known
 };
 
 struct GrabberConfig {
@@ -46,9 +50,14 @@ struct GrabberConfig {
   StreamConfig stream;
 };
 
-// `decimate` is taken instead of the file's. Throws ConfigurationError.
+// What of a file is checked together, and what a command line says instead of it.
+struct ImageSize {
+  std::optional<std::uint32_t> width, height, decimate;
+};
+
+// `instead` of the file's. Throws ConfigurationError.
 [[nodiscard]] GrabberConfig load_grabber_config(const std::filesystem::path& file,
-                                                std::optional<std::uint32_t> decimate = {});
+                                                const ImageSize& instead = {});
 
 // The frame that the points are in, with the default filled in.
 [[nodiscard]] std::string coordinate_frame_of(const GrabberConfig& config);

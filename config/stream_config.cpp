@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/stream_config.hpp"
 
+#include "idl/interface_name.hpp"
 #include "idl/topics.hpp"
 
 namespace cleave::config {
-namespace {
-
-// It becomes part of the XML that configures DDS.
-bool is_interface(const std::string& name) {
-  const char* const allowed =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.:_-@%";
-  return !name.empty() && name.find_first_not_of(allowed) == std::string::npos;
-}
-
-}  // namespace
 
 StreamConfig read_stream_config(Section& file) {
   StreamConfig config;
@@ -21,7 +12,7 @@ StreamConfig read_stream_config(Section& file) {
   section.integer("domain", config.domain, 0, 99);
   section.boolean("shared_memory", config.shared_memory);
   section.text("public_interface", config.public_interface);
-  if (!is_interface(config.public_interface)) {
+  if (!is_interface_name(config.public_interface)) {
     section.refuse("public_interface", "the name or address of a network interface");
   }
   return config;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "idl/interface_name.hpp"
 #include "libcleave/internal/dds.hpp"
 #include "libcleave/internal/roudi_access.hpp"
 #include "libcleave/types.hpp"
@@ -72,6 +73,15 @@ std::string why_no_shared_memory() {
 }  // namespace
 
 StreamOptions with_environment(StreamOptions options) {
+  if (const char* const interface = std::getenv("CLEAVE_INTERFACE")) {
+    if (!is_interface_name(interface)) {
+      throw std::invalid_argument(
+          "CLEAVE_INTERFACE: expected the name or address of a network "
+          "interface, found '" +
+          std::string(interface) + "'");
+    }
+    options.public_interface = interface;
+  }
   const char* const text = std::getenv("CLEAVE_DOMAIN");
   if (text == nullptr) return options;
   const char* const end = text + std::strlen(text);
@@ -94,6 +104,10 @@ struct Stream::State {
 Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>()) {
   if (options.domain > max_domain) {
     throw std::runtime_error("domain " + std::to_string(options.domain) + " is not from 0 to 99");
+  }
+  if (!is_interface_name(options.public_interface)) {
+    throw std::runtime_error("'" + options.public_interface +
+                             "' is no name or address of a network interface");
   }
   State& s = *state_;
   s.options = options;

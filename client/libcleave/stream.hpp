@@ -20,8 +20,9 @@ struct StreamOptions {
   std::string public_interface = "lo";
 };
 
-// The options with `domain` taken from the environment's CLEAVE_DOMAIN where that is set.
-// Throws std::invalid_argument when it is not a number from 0 to 99.
+// The options with `domain` taken from the environment's CLEAVE_DOMAIN, and `public_interface` from
+// its CLEAVE_INTERFACE, where these are set. Throws std::invalid_argument when the former is not a
+// number from 0 to 99, or the latter no name or address.
 [[nodiscard]] StreamOptions with_environment(StreamOptions options);
 
 // Both domains, open from construction to destruction. Readers, writers and wait sets must be gone

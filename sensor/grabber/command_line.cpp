@@ -2,7 +2,10 @@
 #include "sensor/grabber/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "idl/topics.hpp"
@@ -30,10 +33,32 @@ constexpr char examples[] =
     "  cleave-grabber --config grabber.yaml --source oni:table.oni --lossless\n"
     "  cleave-grabber --config grabber.yaml --source pcd:scene.pcd --loop --fps 10\n"
     "  cleave-grabber --config grabber.yaml --source pcd:scans --unit mm\n"
-    "  cleave-grabber --config grabber.yaml --source pcd:d435_848x480 --decimate 2\n"
+    "  cleave-grabber --config grabber.yaml --source synthetic:medium --size 1280x720\n"
+    "  cleave-grabber --config grabber.yaml --source pcd:kinect_1920x1080 --decimate 2\n"
     "\n"
     "Ends with 0 when it is done, 1 when it failed, 2 for wrong usage or configuration.\n"
-    "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_LOG sets the log level (trace to error).\n";
+    "CLEAVE_DOMAIN overrides the DDS domain, CLEAVE_INTERFACE the network interface,\n"
+    "CLEAVE_LOG sets the log level (trace to error).\n";
+
+// "848x480"; nothing for another text.
+std::optional<config::ImageSize> size_of(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  config::ImageSize size;
+  const auto read = [](std::string_view digits, std::optional<std::uint32_t>& number) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
+    number = value;
+    return error == std::errc{} && end == digits.end() && value >= 16 && value <= 4096;
+  };
+  if (!read(text.substr(0, cross), size.width)) return std::nullopt;
+  if (!read(text.substr(cross + 1), size.height)) return std::nullopt;
+  return size;
+}
+
+std::string check_size(const std::string& text) {
+  return size_of(text) ? "" : "expected WIDTHxHEIGHT, each from 16 to 4096, e.g. 848x480";
+}
 
 std::string check_sensor(const std::string& name) {
   return is_valid_sensor_name(name) ? "" : "expected 1 to 63 letters, digits or '_'";
@@ -47,7 +72,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   app.footer(examples);
   app.set_version_flag("--version", version_text(CLEAVE_VERSION));
   std::string file;
-  std::optional<std::string> source, sensor, unit;
+  std::optional<std::string> source, sensor, unit, size;
   std::optional<std::uint32_t> fps, decimate;
   std::optional<std::uint64_t> frames;
   std::optional<double> max_gap_s;
@@ -60,6 +85,8 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
       ->check(CLI::IsMember(
           std::vector<std::string>(recording::unit_names.begin(), recording::unit_names.end())));
   app.add_option("--fps", fps, "frames a second")->check(CLI::Range(1, 240));
+  app.add_option("--size", size, "pixels asked of a camera, e.g. 848x480")
+      ->check(CLI::Validator(check_size, "WIDTHxHEIGHT"));
   app.add_option("--decimate", decimate, "a block of so many pixels a side becomes one point")
       ->check(CLI::Range(1, 4));
   app.add_option("--frames", frames, "end after so many published frames")
@@ -74,7 +101,9 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_done : exit_wrong_usage;
   }
-  Settings settings{config::load_grabber_config(file, decimate), frames};
+  config::ImageSize image = size ? *size_of(*size) : config::ImageSize{};
+  image.decimate = decimate;
+  Settings settings{config::load_grabber_config(file, image), frames};
   config::GrabberConfig& config = settings.config;
   if (source) config.source = *source;
   if (sensor) config.sensor = *sensor;

@@ -31,7 +31,8 @@ void describe_command_line(CLI::App& app, Action& action) {
       "  cleave COMMAND --help               more on each command\n"
       "\n"
       "Exit codes: 0 done, 1 failed at run time, 2 wrong usage.\n"
-      "Environment: CLEAVE_DOMAIN (0 to 99), CLEAVE_LOG (trace, debug, info, warning, error).");
+      "Environment: CLEAVE_DOMAIN (0 to 99), CLEAVE_INTERFACE (a network interface),\n"
+      "CLEAVE_LOG (trace, debug, info, warning, error).");
   app.require_subcommand(1);
   add_status_command(app, action);
   add_watch_command(app, action);

@@ -70,8 +70,8 @@ int run(const ListOptions& options) {
   } else if (topics.empty()) {
     std::cerr << fmt::format(
         "Nobody publishes or reads cleave/... topics on domain {}.\n"
-        "Start ./service/demo, or name another domain with --domain or CLEAVE_DOMAIN.\n",
-        stream.options().domain);
+        "Start ./service/demo, or {}.\n",
+        stream.options().domain, elsewhere);
   } else {
     print_table(topics);
   }

@@ -46,8 +46,8 @@ int run(const StatusOptions& options) {
   if (reports.empty() && !shutdown.requested() && !options.watch) {
     throw std::runtime_error(
         fmt::format("no node answers on domain {}; start ./service/demo, or cleave-grabber and "
-                    "cleave-segmenter, or name another domain with --domain or CLEAVE_DOMAIN",
-                    stream.options().domain));
+                    "cleave-segmenter, or {}",
+                    stream.options().domain, elsewhere));
   }
   print(reports, options);
   while (options.watch && !shutdown.wait_for(status_refresh_interval))

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "cleave/stream/live_options.hpp"
 #include "cleave/stream/status_reader.hpp"
 #include "console/table.hpp"
 
@@ -13,10 +14,9 @@ namespace cleave::client {
 std::string only_sensor(const std::set<std::string>& sensors, std::uint32_t domain) {
   if (sensors.size() == 1) return *sensors.begin();
   if (sensors.empty()) {
-    throw std::runtime_error(
-        fmt::format("no grabber or segmenter answers on domain {}; start them, or ./service/demo, "
-                    "or name another domain with --domain or CLEAVE_DOMAIN",
-                    domain));
+    throw std::runtime_error(fmt::format(
+        "no grabber or segmenter answers on domain {}; start them, or ./service/demo, or {}",
+        domain, elsewhere));
   }
   std::string names;
   for (const std::string& sensor : sensors) names += " " + printable(sensor);

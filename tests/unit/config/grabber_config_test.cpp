@@ -76,19 +76,52 @@ TEST(GrabberConfig, RefusesASensorNameThatCannotBePartOfATopic) {
 }
 
 TEST(GrabberConfig, RefusesAnImageThatNoCloudHolds) {
-  EXPECT_EQ(
-      grabber_message("video:\n  width: 1280\n  height: 1024\n"),
-      "file:3: video.height: expected at most 307200 (640 x 480) pixels in all, once decimated, "
-      "found '1024'");
+  EXPECT_EQ(grabber_message("video:\n  width: 1920\n  height: 1080\n"),
+            "file:3: video.height: expected at most 1920000 (1600 x 1200) pixels in all, once "
+            "decimated, found '1080'");
 }
 
 TEST(GrabberConfig, TakesAnImageThatDecimationMakesSmallEnoughWhoeverAsksForIt) {
-  const YamlFile large("video: {width: 848, height: 480}\n");
-  EXPECT_EQ(load_grabber_config(large.path(), 2).decimate, 2U);
+  const YamlFile large("video: {width: 1920, height: 1080}\n");
+  EXPECT_EQ(load_grabber_config(large.path(), {.decimate = 2}).decimate, 2U);
   EXPECT_THROW((void)load_grabber_config(large.path()), ConfigurationError);
-  const YamlFile decimated("decimate: 2\nvideo: {width: 848, height: 480}\n");
+  const YamlFile decimated("decimate: 2\nvideo: {width: 1920, height: 1080}\n");
   EXPECT_EQ(load_grabber_config(decimated.path()).decimate, 2U);
-  EXPECT_THROW((void)load_grabber_config(decimated.path(), 1), ConfigurationError);
+  EXPECT_THROW((void)load_grabber_config(decimated.path(), {.decimate = 1}), ConfigurationError);
+}
+
+TEST(GrabberConfig, TakesASizeFromTheCommandLineInsteadOfItsOwn) {
+  const YamlFile file("video: {width: 1920, height: 1080}\n");
+  const GrabberConfig config = load_grabber_config(file.path(), {.width = 1280, .height = 720});
+  EXPECT_EQ(config.video.width, 1280U);
+  EXPECT_EQ(config.video.height, 720U);
+  EXPECT_THROW((void)load_grabber_config(file.path(), {.width = 4096, .height = 4096}),
+               ConfigurationError);
+}
+
+TEST(GrabberConfig, ReadsWhatIsKnownOfTheCamera) {
+  const YamlFile file(
+      "calibration:\n  fx: 600\n  fy: 601\n  cx: 319\n  cy: 241\n  depth_scale: 1.01\n"
+      "  parent_frame: base_link\n  position: {x: 0.1, z: 1.2}\n"
+      "  orientation: {x: -0.5, y: 0.5, z: -0.5, w: 0.5}\n");
+  const CalibrationConfig known = load_grabber_config(file.path()).calibration;
+  EXPECT_EQ(known.fx, 600);
+  EXPECT_EQ(known.cy, 241);
+  EXPECT_FLOAT_EQ(known.depth_scale, 1.01F);
+  EXPECT_EQ(known.parent_frame, "base_link");
+  EXPECT_FLOAT_EQ(known.position.x, .1F);
+  EXPECT_EQ(known.position.y, 0);
+  EXPECT_FLOAT_EQ(known.orientation.x, -.5F);
+}
+
+TEST(GrabberConfig, RefusesACalibrationThatIsHalfAOne) {
+  EXPECT_NE(grabber_message("calibration: {fx: 600, cx: 320, cy: 240}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {cx: 320}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {depth_scale: 0}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {parent_frame: base_link}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {position: {x: 1}}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {orientation: {w: 1}}\n"), "");
+  EXPECT_NE(grabber_message("calibration: {parent_frame: base_link, orientation: {w: 0.5}}\n"), "");
 }
 
 TEST(GrabberConfig, RefusesADomainOutOfRange) {

@@ -3,35 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <vector>
+
+#include "tests/unit/grabber/one_frame.hpp"
 
 namespace cleave::sensor {
 namespace {
 
-// One frame of points (i, 0, 1).
-class OneFrame : public Source {
- public:
-  OneFrame(std::uint32_t width, std::uint32_t height) : width_(width), height_(height) {}
-
-  [[nodiscard]] Failure open() override { return std::nullopt; }
-  [[nodiscard]] Poll next(std::chrono::milliseconds /*timeout*/, Frame& frame) override {
-    if (std::exchange(given_, true)) return Poll::end;
-    frame = {width_, height_, {100, 100, 1.5F, .5F}, 7, 9, true};
-    return Poll::frame;
-  }
-  void write_points(float* xyz) override {
-    for (std::uint32_t i = 0; i < width_ * height_; ++i, xyz += 3) {
-      std::copy_n(std::array{static_cast<float>(i), 0.0F, 1.0F}.data(), 3, xyz);
-    }
-  }
-  [[nodiscard]] bool realtime() const override { return false; }
-  [[nodiscard]] SourceCounts counts() const override { return {3, {}}; }
-  [[nodiscard]] std::string last_error() const override { return "none"; }
-
- private:
-  std::uint32_t width_, height_;
-  bool given_ = false;
-};
+using test::OneFrame;
 
 TEST(DecimatingSource, MakesAnImageSmallerAndKeepsTimesCountsAndEnds) {
   DecimatingSource source(std::make_unique<OneFrame>(4, 2), 2);
