@@ -10,7 +10,7 @@ namespace cleave::recording {
 namespace {
 
 // Those whose bytes this library knows by heart.
-constexpr const char* types[] = {"FrameHeader",    "Pose",        "Point",   "Quaternion",
+constexpr const char* types[] = {"FrameHeader",    "Pose3",       "Point",   "Quaternion",
                                  "ImageRectangle", "OrientedBox", "Segment", "Border",
                                  "SegmentList",    "Cloud",       "Labels"};
 

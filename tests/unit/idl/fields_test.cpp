@@ -41,7 +41,7 @@ std::string type_of(const fields::HeaderFields&) {
   return "FrameHeader";
 }
 std::string type_of(const fields::PoseFields&) {
-  return "Pose";
+  return "Pose3";
 }
 std::string type_of(const fields::PointFields&) {
   return "Point";
@@ -125,7 +125,7 @@ class Fields : public testing::Test {
 
 TEST_F(Fields, AreThoseOfTheIdlInEveryStructOfTheStream) {
   expect_as_in_idl<cleave_v1_FrameHeader>(fields::header);
-  expect_as_in_idl<cleave_v1_Pose>(fields::pose);
+  expect_as_in_idl<cleave_v1_Pose3>(fields::pose);
   expect_as_in_idl<cleave_v1_Point>(fields::point);
   expect_as_in_idl<cleave_v1_Quaternion>(fields::quaternion);
   expect_as_in_idl<cleave_v1_ImageRectangle>(fields::image_rectangle);
