@@ -10,11 +10,14 @@
 //   visit.text(name, value...)        a text
 //   visit.group(name, list, value...) another type of the contract, with its list
 //   visit.each(name, list, value...)  a sequence of these
+// Each list names its type.
 #pragma once
 
 namespace cleave::fields {
 
 struct PointFields {
+  static constexpr const char* type = "Point";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("x", s.x...);
@@ -25,6 +28,8 @@ struct PointFields {
 inline constexpr PointFields point;
 
 struct QuaternionFields {
+  static constexpr const char* type = "Quaternion";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("x", s.x...);
@@ -36,6 +41,8 @@ struct QuaternionFields {
 inline constexpr QuaternionFields quaternion;
 
 struct PoseFields {
+  static constexpr const char* type = "Pose3";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.group("position", point, s.position...);
@@ -45,6 +52,8 @@ struct PoseFields {
 inline constexpr PoseFields pose;
 
 struct HeaderFields {
+  static constexpr const char* type = "FrameHeader";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("frame_id", s.frame_id...);
@@ -68,6 +77,8 @@ struct HeaderFields {
 inline constexpr HeaderFields header;
 
 struct ImageRectangleFields {
+  static constexpr const char* type = "ImageRectangle";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("left", s.left...);
@@ -79,6 +90,8 @@ struct ImageRectangleFields {
 inline constexpr ImageRectangleFields image_rectangle;
 
 struct OrientedBoxFields {
+  static constexpr const char* type = "OrientedBox";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.group("centre", point, s.centre...);
@@ -89,6 +102,8 @@ struct OrientedBoxFields {
 inline constexpr OrientedBoxFields oriented_box;
 
 struct SegmentFields {
+  static constexpr const char* type = "Segment";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("label", s.label...);
@@ -103,6 +118,8 @@ struct SegmentFields {
 inline constexpr SegmentFields segment;
 
 struct BorderFields {
+  static constexpr const char* type = "Border";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.number("first", s.first...);
@@ -113,6 +130,8 @@ struct BorderFields {
 inline constexpr BorderFields border;
 
 struct SegmentListFields {
+  static constexpr const char* type = "SegmentList";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.group("header", header, s.header...);
@@ -128,6 +147,8 @@ struct SegmentListFields {
 inline constexpr SegmentListFields segment_list;
 
 struct CauseCountFields {
+  static constexpr const char* type = "CauseCount";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.text("cause", s.cause...);
@@ -137,6 +158,8 @@ struct CauseCountFields {
 inline constexpr CauseCountFields cause_count;
 
 struct NodeStatusFields {
+  static constexpr const char* type = "NodeStatus";
+
   template <class Visit, class... S>
   void operator()(Visit&& visit, S&... s) const {
     visit.text("node", s.node...);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <ostream>
 #include <string>
 
 #include "recording/frames/frame_reader.hpp"
@@ -31,6 +32,9 @@ bool shared_memory_has_room() {
 
 struct Size {
   std::uint32_t width, height;
+  friend std::ostream& operator<<(std::ostream& out, const Size& size) {
+    return out << size.text();
+  }
   [[nodiscard]] std::string text() const {
     return std::to_string(width) + "x" + std::to_string(height);
   }
@@ -71,8 +75,8 @@ TEST_P(LargeCamera, IsGrabbedStreamedRecordedReplayedAndVerified) {
   Process segmenter = daemons_.segmenter({"--lossless"});
   ASSERT_TRUE(segmenter.logs("ready")) << segmenter.log();
   Process recorder = record("first.mcap");
-  Process grabber = daemons_.grabber(
-      "synthetic:medium", {"--size", GetParam().text(), "--lossless", "--frames", "12"});
+  Process grabber = daemons_.grabber("synthetic:medium",
+                                     {"--size", GetParam().text(), "--lossless", "--frames", "12"});
   ASSERT_EQ(grabber.wait(patience), 0) << grabber.log();
   ASSERT_EQ(recorder.wait(), 0) << recorder.log();
   EXPECT_EQ(frames_of("first.mcap"), all) << recorder.log() << segmenter.log() << grabber.log();
@@ -82,9 +86,10 @@ TEST_P(LargeCamera, IsGrabbedStreamedRecordedReplayedAndVerified) {
       daemons_.run("cleave", {"replay", "--lossless", "--as-fast-as-possible", file("first.mcap")});
   EXPECT_EQ(replay.wait(patience), 0) << replay.log();
   ASSERT_EQ(again.wait(), 0) << again.log();
-  EXPECT_EQ(frames_of("second.mcap"), all) << replay.log();
+  EXPECT_EQ(frames_of("second.mcap"), all) << replay.log() << again.log();
 
-  Process verify = daemons_.run("cleave", {"verify", file("second.mcap")});
+  Process verify = daemons_.run(
+      "cleave", {"verify", file("second.mcap"), "--expect", file("first.mcap"), "--json"});
   EXPECT_EQ(verify.wait(patience), 0) << verify.log() << verify.output();
 }
 

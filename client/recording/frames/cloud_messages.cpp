@@ -16,10 +16,10 @@ Bytes cloud_message(const CloudMessage& cloud) {
   return cdr.bytes();
 }
 
-CloudMessage read_cloud_message(ByteView message) {
+CloudMessage read_cloud_message(ByteView message, const LackingFields& lacking) {
   CdrReader cdr(message);
   CloudMessage cloud;
-  cloud.header = read_header(cdr);
+  cloud.header = read_header(cdr, lacking);
   cloud.projection = static_cast<Projection>(cdr.number<std::uint32_t>());
   const ByteView correction = cdr.numbers<std::uint8_t>();
   cloud.correction.resize(correction.size());

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "recording/cdr/lacking_fields.hpp"
 #include "recording/cloud/projection.hpp"
 #include "recording/frames/frame.hpp"
 #include "recording/mcap/bytes.hpp"
@@ -19,6 +20,6 @@ struct CloudMessage {
 
 [[nodiscard]] Bytes cloud_message(const CloudMessage& cloud);
 // Throws DataError.
-[[nodiscard]] CloudMessage read_cloud_message(ByteView message);
+[[nodiscard]] CloudMessage read_cloud_message(ByteView message, const LackingFields& lacking = {});
 
 }  // namespace cleave::recording

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
+#include "recording/cdr/lacking_fields.hpp"
 #include "recording/cloud/depth_codec.hpp"
 #include "recording/frames/cloud_messages.hpp"
-#include "recording/frames/contract_check.hpp"
 #include "recording/frames/label_messages.hpp"
 #include "recording/frames/segment_list_message.hpp"
 #include "recording/time_units.hpp"
@@ -105,35 +105,32 @@ std::optional<Frame> FrameReader::add(const Message& message) {
     if (name == "depth/camera_info") parts.intrinsics = read_camera_info(message.data);
     if (name == "points") parts.points = read_point_cloud(message.data);
     if (name == "cloud") {
-      check_contract(*message.schema);
       return Frame{time_ns, complete_cloud(message, parts)};
     }
   }
   if (wants(Kind::labels)) {
     if (name == "labels/image") parts.labels = read_image(message.data);
     if (name == "labels") {
-      check_contract(*message.schema);
       return Frame{time_ns, complete_labels(message, parts)};
     }
   }
   if (wants(Kind::segments) && name == "segments") {
-    check_contract(*message.schema);
-    return Frame{time_ns, read_segment_list(message.data)};
+    return Frame{time_ns, read_segment_list(message.data, lacking_in(*message.schema))};
   }
   return std::nullopt;
 }
 
-void FrameReader::check_contract(const Schema& schema) {
-  const auto [known, is_new] = of_this_contract_.try_emplace(&schema);
-  if (is_new) known->second = is_of_this_contract(schema.text);
-  if (known->second) return;
+const LackingFields& FrameReader::lacking_in(const Schema& schema) {
+  const auto [known, is_new] = lacking_.try_emplace(&schema);
+  if (is_new) known->second = lacking_fields(schema.text);
+  if (known->second) return *known->second;
   throw DataError(
       "it was recorded with another version of the contract (idl/cleave_v1.idl); replay it with "
       "the version of Cleave that recorded it");
 }
 
-Cloud FrameReader::complete_cloud(const Message& message, Parts& parts) const {
-  CloudMessage received = read_cloud_message(message.data);
+Cloud FrameReader::complete_cloud(const Message& message, Parts& parts) {
+  CloudMessage received = read_cloud_message(message.data, lacking_in(*message.schema));
   Cloud cloud{std::move(received.header), {}};
   const FrameHeader& header = cloud.header;
   if (received.projection == Projection::none) {
@@ -154,7 +151,7 @@ Cloud FrameReader::complete_cloud(const Message& message, Parts& parts) const {
 }
 
 Labels FrameReader::complete_labels(const Message& message, Parts& parts) {
-  Labels labels = read_labels_message(message.data);
+  Labels labels = read_labels_message(message.data, lacking_in(*message.schema));
   if (!parts.labels || parts.labels->pixels.size() != labels.header.points()) {
     throw DataError("a label map without its image");
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "recording/cdr/lacking_fields.hpp"
 #include "recording/frames/frame.hpp"
 #include "recording/frames/frame_input.hpp"
 #include "recording/frames/ros_messages.hpp"
@@ -55,16 +56,17 @@ class FrameReader : public FrameInput {
   };
   void begin();
   [[nodiscard]] std::optional<Frame> add(const Message& message);
-  void check_contract(const Schema& schema);
-  [[nodiscard]] Cloud complete_cloud(const Message& message, Parts& parts) const;
-  [[nodiscard]] static Labels complete_labels(const Message& message, Parts& parts);
+  // Throws DataError for a schema of another contract.
+  [[nodiscard]] const LackingFields& lacking_in(const Schema& schema);
+  [[nodiscard]] Cloud complete_cloud(const Message& message, Parts& parts);
+  [[nodiscard]] Labels complete_labels(const Message& message, Parts& parts);
   [[nodiscard]] bool wants(Kind kind) const { return selection_.kinds.contains(kind); }
 
   McapReader mcap_;
   Selection selection_;
-  std::map<std::string, Parts> parts_;  // by sensor
-  std::map<const Schema*, bool> of_this_contract_;
-  Problems problems_;  // beyond the container's
+  std::map<std::string, Parts> parts_;                             // by sensor
+  std::map<const Schema*, std::optional<LackingFields>> lacking_;  // nothing: of another contract
+  Problems problems_;                                              // beyond the container's
 };
 
 // The sensors whose clouds, label maps or segment lists a complete recording holds; empty for one

@@ -10,9 +10,9 @@ void write_header(CdrWriter& cdr, const FrameHeader& header) {
   fields::header(CdrFieldWriter{cdr}, header);
 }
 
-FrameHeader read_header(CdrReader& cdr) {
+FrameHeader read_header(CdrReader& cdr, const LackingFields& lacking) {
   FrameHeader header;
-  fields::header(CdrFieldReader{cdr}, header);
+  fields::header(CdrFieldReader{cdr, {lacking, fields::HeaderFields::type}}, header);
   check_capacity(header);
   return header;
 }

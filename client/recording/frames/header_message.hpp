@@ -3,6 +3,7 @@
 #pragma once
 
 #include "recording/cdr/cdr.hpp"
+#include "recording/cdr/lacking_fields.hpp"
 #include "recording/frames/frame.hpp"
 
 namespace cleave::recording {
@@ -11,7 +12,7 @@ namespace cleave::recording {
 void write_header(CdrWriter& cdr, const FrameHeader& header);
 
 // Throws DataError: too short, a name without end, or a size beyond the contract's capacity.
-[[nodiscard]] FrameHeader read_header(CdrReader& cdr);
+[[nodiscard]] FrameHeader read_header(CdrReader& cdr, const LackingFields& lacking);
 
 // Throws DataError for a size beyond the contract's capacity.
 void check_capacity(const FrameHeader& header);

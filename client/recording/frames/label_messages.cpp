@@ -12,10 +12,10 @@ Bytes labels_message(const Labels& labels) {
   return cdr.bytes();
 }
 
-Labels read_labels_message(ByteView message) {
+Labels read_labels_message(ByteView message, const LackingFields& lacking) {
   CdrReader cdr(message);
   Labels labels;
-  labels.header = read_header(cdr);
+  labels.header = read_header(cdr, lacking);
   labels.cloud_publication_time_ns = cdr.number<std::int64_t>();
   return labels;
 }

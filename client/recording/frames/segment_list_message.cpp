@@ -13,10 +13,10 @@ Bytes segment_list_message(const SegmentList& list) {
   return cdr.bytes();
 }
 
-SegmentList read_segment_list(ByteView message) {
+SegmentList read_segment_list(ByteView message, const LackingFields& lacking) {
   CdrReader cdr(message);
   SegmentList list;
-  fields::segment_list(CdrFieldReader{cdr}, list);
+  fields::segment_list(CdrFieldReader{cdr, {lacking, fields::SegmentListFields::type}}, list);
   check_capacity(list.header);
   return list;
 }

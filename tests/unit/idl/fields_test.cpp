@@ -36,41 +36,6 @@ std::string type_of_number() {
   }
 }
 
-// The type of the contract that a list is of.
-std::string type_of(const fields::HeaderFields&) {
-  return "FrameHeader";
-}
-std::string type_of(const fields::PoseFields&) {
-  return "Pose3";
-}
-std::string type_of(const fields::PointFields&) {
-  return "Point";
-}
-std::string type_of(const fields::QuaternionFields&) {
-  return "Quaternion";
-}
-std::string type_of(const fields::ImageRectangleFields&) {
-  return "ImageRectangle";
-}
-std::string type_of(const fields::OrientedBoxFields&) {
-  return "OrientedBox";
-}
-std::string type_of(const fields::SegmentFields&) {
-  return "Segment";
-}
-std::string type_of(const fields::BorderFields&) {
-  return "Border";
-}
-std::string type_of(const fields::SegmentListFields&) {
-  return "SegmentList";
-}
-std::string type_of(const fields::CauseCountFields&) {
-  return "CauseCount";
-}
-std::string type_of(const fields::NodeStatusFields&) {
-  return "NodeStatus";
-}
-
 // What a list visits, as the IDL would declare it.
 struct Declaration {
   std::vector<IdlMember> members;
@@ -89,12 +54,12 @@ struct Declaration {
     members.push_back({"string", name});
   }
   template <class List, class Value>
-  void group(const char* name, const List& list, const Value& /*value*/) {
-    members.push_back({type_of(list), name});
+  void group(const char* name, const List& /*list*/, const Value& /*value*/) {
+    members.push_back({List::type, name});
   }
   template <class List, class Values>
-  void each(const char* name, const List& list, const Values& /*values*/) {
-    members.push_back({"sequence<" + type_of(list) + ">", name});
+  void each(const char* name, const List& /*list*/, const Values& /*values*/) {
+    members.push_back({std::string("sequence<") + List::type + ">", name});
   }
 };
 
@@ -115,8 +80,8 @@ class Fields : public testing::Test {
     Declaration visited;
     const Struct value{};
     list(visited, value);
-    EXPECT_EQ(visited.members, idl_.structs.at(type_of(list)));
-    listed_.insert(type_of(list));
+    EXPECT_EQ(visited.members, idl_.structs.at(List::type));
+    listed_.insert(List::type);
   }
 
   IdlFile idl_ = read_contract();

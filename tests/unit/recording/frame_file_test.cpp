@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "recording/frames/contract_check.hpp"
+#include <cstring>
+
+#include "recording/cdr/cdr.hpp"
+#include "recording/cdr/lacking_fields.hpp"
 #include "recording/frames/frame_reader.hpp"
 #include "recording/frames/frame_writer.hpp"
 #include "recording/frames/read_ahead.hpp"
@@ -102,14 +105,18 @@ TEST_F(FrameFile, HoldsOnlyTheSensorThatIsAskedFor) {
 }
 
 TEST_F(FrameFile, OfAnotherContractIsNotMisread) {
-  EXPECT_TRUE(is_of_this_contract(contract_schema));
-  EXPECT_TRUE(is_of_this_contract(recording_schema));
-  EXPECT_TRUE(is_of_this_contract("// another comment\n" + recording_schema));
+  const std::optional<LackingFields> nothing = LackingFields{};
+  EXPECT_EQ(lacking_fields(contract_schema), nothing);
+  EXPECT_EQ(lacking_fields(recording_schema), nothing);
+  EXPECT_EQ(lacking_fields("// another comment\n" + recording_schema), nothing);
   std::string other = contract_schema;
   const std::string field = "unsigned long epoch;";
   other.replace(other.find(field), field.size(), "unsigned long long epoch;");
-  EXPECT_FALSE(is_of_this_contract(other));
-  EXPECT_FALSE(is_of_this_contract(""));
+  EXPECT_FALSE(lacking_fields(other));
+  EXPECT_FALSE(lacking_fields(""));
+  std::string later = contract_schema;
+  later.replace(later.find(field), field.size(), field + " unsigned long added_later;");
+  EXPECT_FALSE(lacking_fields(later));
 
   McapWriter writer(file_);
   const auto schema = writer.add_schema("cleave::v1::SegmentList", "omgidl", other);
@@ -120,6 +127,52 @@ TEST_F(FrameFile, OfAnotherContractIsNotMisread) {
   EXPECT_FALSE(reader.next());
   ASSERT_EQ(reader.problems().size(), 1U);
   EXPECT_NE(reader.problems()[0].find("another version of the contract"), std::string::npos);
+}
+
+// A recording of the days before a header had a pose, and a segment its planarity.
+TEST_F(FrameFile, OfAnEarlierContractIsReadWithoutTheFieldsThatCameLater) {
+  std::string earlier = contract_schema;
+  for (const char* const field : {"char parent_frame[64];", "Pose3 pose;", "float planarity;"}) {
+    earlier.replace(earlier.find(field), std::strlen(field), "");
+  }
+  ASSERT_EQ(lacking_fields(earlier),
+            (LackingFields{{"FrameHeader", {"parent_frame", "pose"}}, {"Segment", {"planarity"}}}));
+  SegmentList list;
+  list.header = header(7, 32, 24);
+  list.borders = {{1, 2, BorderKind::convex}};
+  list.segmentation_ms = 5;
+  CdrWriter cdr;
+  const FrameHeader& h = list.header;
+  cdr.number(h.frame_id);
+  cdr.number(h.epoch);
+  for (const std::int64_t time : {h.capture_time_ns, h.arrival_time_ns, h.publication_time_ns}) {
+    cdr.number(time);
+  }
+  cdr.number(h.device_time_us);
+  cdr.number(h.width);
+  cdr.number(h.height);
+  for (const float value : {h.fx, h.fy, h.cx, h.cy}) cdr.number(value);
+  cdr.characters(h.sensor, 64);
+  cdr.characters(h.coordinate_frame, 64);
+  cdr.number(list.cloud_publication_time_ns);
+  cdr.number(list.cloud_reception_time_ns);
+  cdr.number(std::uint32_t{0});
+  cdr.length(0);
+  cdr.length(1);
+  cdr.number(std::uint16_t{1});
+  cdr.number(std::uint16_t{2});
+  cdr.number(std::uint32_t{1});
+  cdr.number(list.queue_ms);
+  cdr.number(list.segmentation_ms);
+
+  McapWriter writer(file_);
+  const auto schema = writer.add_schema("cleave::v1::SegmentList", "omgidl", earlier);
+  writer.write(writer.add_channel(schema, "cleave/camera/segments", "cdr"), 1, {1, 1}, cdr.bytes());
+  writer.close();
+  FrameReader reader(file_);
+  const auto frame = reader.next();
+  ASSERT_TRUE(frame) << reader.problems().front();
+  EXPECT_EQ(std::get<SegmentList>(frame->content), list);
 }
 
 TEST_F(FrameFile, BeginsAgainWhenItLoops) {

@@ -149,7 +149,7 @@ TEST(OniSource, SaysWhyARecordingCannotBePlayed) {
   blind.with_fov = false;
   EXPECT_NE(failure(blind).find("field of view"), std::string::npos);
   OniFile large = example(1);
-  large.width = large.height = 1024;
+  large.width = large.height = 2048;
   EXPECT_NE(failure(large).find("--decimate"), std::string::npos);
   EXPECT_NE(OniSource("/no/such.oni", false).open().value_or("").find("/no/such.oni"),
             std::string::npos);
