@@ -52,7 +52,7 @@ struct GrabberConfig {
 
 // What of a file is checked together, and what a command line says instead of it.
 struct ImageSize {
-  std::optional<std::uint32_t> width, height, decimate;
+  std::optional<std::uint32_t> width = {}, height = {}, decimate = {};
 };
 
 // `instead` of the file's. Throws ConfigurationError.

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "libcleave/joiner.hpp"
 #include "libcleave/process/shutdown.hpp"
@@ -15,15 +16,15 @@
 namespace {
 
 void print_highest_points(const cleave::JoinedFrame& frame) {
-  const cleave::DepthCloud& cloud = *frame.cloud;
+  const std::span<const float> xyz = frame.cloud.xyz();
+  const std::span<const std::uint16_t> labels = frame.labels.labels();
   std::map<std::uint16_t, float> highest;  // by label; y points down
-  for (std::uint64_t i = 0; i < cleave::point_count(cloud.header); ++i) {
-    const std::uint16_t label = frame.labels->label[i];
-    if (label == 0) continue;  // no measurement
-    const auto [entry, is_new] = highest.try_emplace(label, std::numeric_limits<float>::max());
-    entry->second = std::min(entry->second, cloud.xyz[3 * i + 1]);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == 0) continue;  // of no segment
+    const auto [entry, is_new] = highest.try_emplace(labels[i], std::numeric_limits<float>::max());
+    entry->second = std::min(entry->second, xyz[3 * i + 1]);
   }
-  std::printf("frame %llu:", static_cast<unsigned long long>(cloud.header.frame_id));
+  std::printf("frame %llu:", static_cast<unsigned long long>(frame.cloud.header().frame_id));
   for (const auto& [label, y] : highest) std::printf(" %u: %.3f", label, static_cast<double>(y));
   std::printf(" (%s)\n", frame.cloud.zero_copy() ? "zero copy" : "copied");
 }
@@ -34,8 +35,8 @@ int main(int argc, char** argv) {
   const char* const sensor = argc > 1 ? argv[1] : "camera";
   cleave::Shutdown shutdown;
   cleave::Stream stream(cleave::with_environment({}));
-  cleave::Reader<cleave::DepthCloud> clouds(stream, sensor);
-  cleave::Reader<cleave::LabelMap> labels(stream, sensor);
+  cleave::CloudReader clouds(stream, sensor);
+  cleave::LabelReader labels(stream, sensor);
   cleave::Joiner joiner;
   cleave::WaitSet wait_set;
   wait_set.attach(clouds);

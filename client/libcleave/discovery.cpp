@@ -98,6 +98,17 @@ class DomainListener {
 
 }  // namespace
 
+std::string other_contract(const std::vector<Endpoint>& endpoints) {
+  constexpr std::string_view ours = "cleave::v1::";  // the module of contract_name
+  for (const Endpoint& e : endpoints) {
+    if (!e.writes || e.type.starts_with(ours)) continue;
+    return (e.process.empty() ? "a node" : e.process) + " publishes " + e.topic + " as " + e.type +
+           ", which is another version of the contract than this program's " +
+           std::string(contract_name) + ": install the same version of Cleave on both sides";
+  }
+  return {};
+}
+
 std::vector<Endpoint> discover(Stream& stream, std::chrono::milliseconds listen) {
   const DomainListener bulk(stream.bulk_participant(), Domain::bulk);
   const DomainListener public_listener(stream.public_participant(), Domain::public_domain);

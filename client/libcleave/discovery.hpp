@@ -24,4 +24,8 @@ struct Endpoint {
 // Discovery takes a moment: listens for `listen` first.
 [[nodiscard]] std::vector<Endpoint> discover(Stream& stream, std::chrono::milliseconds listen);
 
+// The first of the endpoints that publishes a type of another version of the contract, in words;
+// such nodes and this one do not hear each other. Empty if there is none.
+[[nodiscard]] std::string other_contract(const std::vector<Endpoint>& endpoints);
+
 }  // namespace cleave

@@ -7,6 +7,7 @@
 
 #include "libcleave/internal/bulk_reader.hpp"
 #include "libcleave/internal/raw_reader.hpp"
+#include "libcleave/list_reader.hpp"
 #include "libcleave/reader.hpp"
 
 namespace cleave {
@@ -23,6 +24,7 @@ class WaitSet {
   void attach(const Reader<T>& reader) {
     attach(reader.raw());
   }
+  void attach(const ListReader& reader) { attach(reader.raw()); }
   template <class Kind, class SampleType>
   void attach(const BulkReader<Kind, SampleType>& reader) {
     attach(reader.small());

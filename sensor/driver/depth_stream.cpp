@@ -13,8 +13,6 @@ namespace {
 
 constexpr int largest_depth_mm = 10000;
 
-constexpr render::CameraModel camera{};
-
 float field_of_view_rad(std::uint32_t pixels, double focal_length) {
   return static_cast<float>(2 * std::atan(pixels / (2 * focal_length)));
 }
@@ -27,13 +25,14 @@ bool same_mode(const OniVideoMode& a, const OniVideoMode& b) {
 }  // namespace
 
 OniVideoMode video_mode(const render::SceneRequest& request) {
-  return {ONI_PIXEL_FORMAT_DEPTH_1_MM, static_cast<int>(camera.width),
-          static_cast<int>(camera.height), static_cast<int>(request.fps)};
+  return {ONI_PIXEL_FORMAT_DEPTH_1_MM, static_cast<int>(request.width),
+          static_cast<int>(request.height), static_cast<int>(request.fps)};
 }
 
 DepthStream::DepthStream(const render::SceneRequest& request, oni::driver::DriverServices& services,
                          std::shared_ptr<FaultPlan> plan, std::function<void()> on_first_frame)
     : services_(services),
+      camera_(render::camera_of_size(request.width, request.height)),
       mode_(video_mode(request)),
       plan_(std::move(plan)),
       on_first_frame_(std::move(on_first_frame)),
@@ -138,14 +137,14 @@ OniBool DepthStream::isPropertySupported(int property) {
 }
 
 OniStatus DepthStream::getProperty(int property, void* data, int* size) {
-  const render::Intrinsics& intrinsics = camera.intrinsics;
+  const render::Intrinsics& intrinsics = camera_.intrinsics;
   switch (property) {
     case ONI_STREAM_PROPERTY_VIDEO_MODE:
       return answer(mode_, data, size);
     case ONI_STREAM_PROPERTY_HORIZONTAL_FOV:
-      return answer(field_of_view_rad(camera.width, intrinsics.fx), data, size);
+      return answer(field_of_view_rad(camera_.width, intrinsics.fx), data, size);
     case ONI_STREAM_PROPERTY_VERTICAL_FOV:
-      return answer(field_of_view_rad(camera.height, intrinsics.fy), data, size);
+      return answer(field_of_view_rad(camera_.height, intrinsics.fy), data, size);
     case ONI_STREAM_PROPERTY_MAX_VALUE:
       return answer(largest_depth_mm, data, size);
     case ONI_STREAM_PROPERTY_MIN_VALUE:

@@ -15,6 +15,7 @@
 #include "sensor/driver/oni_driver_api.hpp"
 #include "sensor/driver/rendered_loop.hpp"
 #include "sensor/renderer/scene/scene_uri.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::driver {
 
@@ -49,6 +50,7 @@ class DepthStream : public oni::driver::StreamBase {
   [[nodiscard]] std::uint64_t timestamp_us(Clock::time_point tick) const;
 
   oni::driver::DriverServices& services_;
+  const render::CameraModel camera_;
   OniVideoMode mode_;
   Clock::time_point created_ = Clock::now();
   std::shared_ptr<FaultPlan> plan_;

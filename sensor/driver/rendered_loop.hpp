@@ -27,7 +27,7 @@ class RenderedLoop {
 
   // Frames 0 to ready() - 1 are there and never change any more. From any thread.
   [[nodiscard]] std::uint32_t ready() const { return ready_.load(std::memory_order_acquire); }
-  // 640 x 480 depths in millimetres, row-major. `index` below ready().
+  // Depths of the requested size in millimetres, row-major. `index` below ready().
   [[nodiscard]] const std::vector<std::uint16_t>& frame(std::uint32_t index) const {
     return frames_[index];
   }

@@ -19,7 +19,7 @@ enum class Publication { done, no_free_chunk, no_large_chunks, refused };
 struct Place {
   std::string coordinate_frame;
   std::string parent_frame;
-  cleave_v1_Pose pose{};
+  cleave_v1_Pose3 pose{};
 };
 
 class FramePublisher {

@@ -12,8 +12,8 @@
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/wait_set.hpp"
-#include "sensor/grabber/frame_publisher.hpp"
 #include "sensor/grabber/frame_book.hpp"
+#include "sensor/grabber/frame_publisher.hpp"
 #include "sensor/grabber/pacer.hpp"
 #include "sensor/grabber/source_link.hpp"
 #include "sensor/grabber/supervisor.hpp"
@@ -24,8 +24,8 @@ namespace cleave::sensor {
 struct GrabberOptions {
   std::string sensor;
   std::string coordinate_frame;
-  std::string parent_frame;  // empty = the sensor's pose is not known
-  cleave_v1_Pose pose{};     // of coordinate_frame in parent_frame
+  std::string parent_frame;                 // empty = the sensor's pose is not known
+  cleave_v1_Pose3 pose{};                   // of coordinate_frame in parent_frame
   std::uint32_t fps = 30;                   // pace of sources that have none of their own
   std::optional<std::uint32_t> window;      // frames in flight in lossless mode; empty = live
   std::optional<std::uint64_t> max_frames;  // end after so many published

@@ -19,8 +19,10 @@ using namespace cleave::render;
 constexpr char examples[] =
     "SCENE is a name and keys as in the source of cleave-grabber: "
     "PRESET[?KEY=VALUE[&KEY=VALUE]...]\n"
-    "with the presets simple, medium and crowded and the keys seed, objects and noise, with or\n"
-    "without synthetic: before it. Files are named after the preset and the seed: crowded1.pcd.\n"
+    "with the presets simple, medium and crowded and the keys seed, objects, noise, width and "
+    "height,\n"
+    "with or without synthetic: before it. Files are named after the preset and the seed: "
+    "crowded1.pcd.\n"
     "They are organised and hold x, y, z (metres) and label (uint32, 0 = none); the same SCENE\n"
     "gives the same bytes.\n"
     "\n"
@@ -59,7 +61,7 @@ void show_progress(std::uint32_t done, std::uint32_t count) {
 }
 
 void render_all(const Settings& settings, SceneRequest request) {
-  const CameraModel camera = scaled({}, settings.scale);
+  const CameraModel camera = scaled(camera_of_size(request.width, request.height), settings.scale);
   std::filesystem::create_directories(settings.folder);
   for (std::uint32_t i = 0; i < settings.count; ++i, ++request.seed) {
     show_progress(i, settings.count);

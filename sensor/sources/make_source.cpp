@@ -27,17 +27,25 @@ constexpr char sources[] =
     "  mcap:FILE         a recording by `cleave record`, or a bag of ROS 2 in MCAP, e.g.\n"
     "                    mcap:run.mcap or mcap:bag.mcap?topic=/camera/depth/points";
 
-// The synthetic camera has the one rate that its URI names; `mode` fills in where it names none.
-std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
-  constexpr std::string_view key = "fps=";
+// Reads the number that the URI names for a key, or adds the key with the number.
+void read_or_add(std::string& uri, std::string_view key, std::uint32_t& number) {
   const std::size_t options = std::min(uri.find('?'), uri.size());
-  const std::size_t named = uri.find(key, options);
+  const std::string option = std::string(key) + "=";
+  const std::size_t named =
+      std::min(uri.find("?" + option, options), uri.find("&" + option, options));
   if (named == std::string::npos) {
-    uri += (options == uri.size() ? "?" : "&") + std::string(key) + std::to_string(mode.fps);
+    uri += (options == uri.size() ? "?" : "&") + option + std::to_string(number);
   } else {
     // What is no number here the driver refuses, with a better message.
-    std::from_chars(uri.data() + named + key.size(), uri.data() + uri.size(), mode.fps);
+    std::from_chars(uri.data() + named + 1 + option.size(), uri.data() + uri.size(), number);
   }
+}
+
+// The synthetic camera has the one mode that its URI names; `mode` fills in what it does not name.
+std::unique_ptr<Source> make_synthetic(std::string uri, VideoMode mode) {
+  read_or_add(uri, "fps", mode.fps);
+  read_or_add(uri, "width", mode.width);
+  read_or_add(uri, "height", mode.height);
   return std::make_unique<OpenNi2Source>(std::move(uri), mode);
 }
 

@@ -83,12 +83,12 @@ TEST_F(BadFiles, AMissingFolderEndsTheGrabberWith1) {
   EXPECT_NE(grabber.log().find("/nonexistent/folder"), std::string::npos);
 }
 
-TEST_F(BadFiles, ACloudOfMoreThan640x480PointsIsSkippedAndNamed) {
-  write_pcd(folder_.path() / "large.pcd", 641, 480);
+TEST_F(BadFiles, ACloudOfMoreThan1600x1200PointsIsSkippedAndNamed) {
+  write_pcd(folder_.path() / "large.pcd", 1601, 1200);
   Process grabber = daemons_.grabber(source());
   EXPECT_EQ(grabber.wait(), 1);
   EXPECT_NE(grabber.log().find("large.pcd"), std::string::npos);
-  EXPECT_NE(grabber.log().find("307200"), std::string::npos) << grabber.log();
+  EXPECT_NE(grabber.log().find("1920000"), std::string::npos) << grabber.log();
 }
 
 TEST_F(BadFiles, ADamagedOniRecordingEndsTheGrabberWith1AndSaysWhy) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/commands/status_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "cleave/stream/live_options.hpp"
+#include "cleave/stream/nobody_answers.hpp"
 #include "cleave/stream/node_table.hpp"
 #include "cleave/stream/status_reader.hpp"
 #include "console/terminal.hpp"
@@ -44,10 +44,7 @@ int run(const StatusOptions& options) {
   StatusReader statuses(stream);
   const std::vector<NodeReport> reports = statuses.collect(shutdown, nodes_patience);
   if (reports.empty() && !shutdown.requested() && !options.watch) {
-    throw std::runtime_error(
-        fmt::format("no node answers on domain {}; start ./service/demo, or cleave-grabber and "
-                    "cleave-segmenter, or {}",
-                    stream.options().domain, elsewhere));
+    throw std::runtime_error(nobody_answers(stream));
   }
   print(reports, options);
   while (options.watch && !shutdown.wait_for(status_refresh_interval))

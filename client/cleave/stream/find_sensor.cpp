@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cleave/stream/find_sensor.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <stdexcept>
 
-#include "cleave/stream/live_options.hpp"
+#include "cleave/stream/nobody_answers.hpp"
 #include "cleave/stream/status_reader.hpp"
 #include "console/table.hpp"
 
 namespace cleave::client {
 
-std::string only_sensor(const std::set<std::string>& sensors, std::uint32_t domain) {
+std::string only_sensor(const std::set<std::string>& sensors) {
   if (sensors.size() == 1) return *sensors.begin();
-  if (sensors.empty()) {
-    throw std::runtime_error(fmt::format(
-        "no grabber or segmenter answers on domain {}; start them, or ./service/demo, or {}",
-        domain, elsewhere));
-  }
   std::string names;
   for (const std::string& sensor : sensors) names += " " + printable(sensor);
   throw std::runtime_error("there are several sensors:" + names + "; choose one with --sensor");
@@ -31,7 +24,8 @@ std::string find_sensor(Stream& stream, Shutdown& shutdown, const std::string& w
   for (const NodeReport& report : statuses.collect(shutdown, patience)) {
     sensors.insert(report.sensor);
   }
-  return only_sensor(sensors, stream.options().domain);
+  if (sensors.empty()) throw std::runtime_error(nobody_answers(stream));
+  return only_sensor(sensors);
 }
 
 }  // namespace cleave::client

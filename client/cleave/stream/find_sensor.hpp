@@ -11,12 +11,12 @@
 
 namespace cleave::client {
 
-// The only sensor of the set. Throws std::runtime_error, with advice, when there is none or a
-// choice.
-[[nodiscard]] std::string only_sensor(const std::set<std::string>& sensors, std::uint32_t domain);
+// The only sensor of a set that is not empty. Throws std::runtime_error, with advice, when there is
+// a choice.
+[[nodiscard]] std::string only_sensor(const std::set<std::string>& sensors);
 
 // `wanted` if it is not empty; else the only sensor whose nodes publish a status, for which it
-// waits up to `patience`. Throws as only_sensor does.
+// waits up to `patience`. Throws as only_sensor does, and with nobody_answers() where none does.
 [[nodiscard]] std::string find_sensor(Stream& stream, Shutdown& shutdown, const std::string& wanted,
                                       std::chrono::milliseconds patience);
 

@@ -10,9 +10,9 @@ namespace cleave::recording {
 namespace {
 
 // Those whose bytes this library knows by heart.
-constexpr const char* types[] = {"FrameHeader", "Point",   "Quaternion", "ImageRectangle",
-                                 "OrientedBox", "Segment", "Border",     "SegmentList",
-                                 "Cloud",       "Labels"};
+constexpr const char* types[] = {"FrameHeader",    "Pose3",       "Point",   "Quaternion",
+                                 "ImageRectangle", "OrientedBox", "Segment", "Border",
+                                 "SegmentList",    "Cloud",       "Labels"};
 
 // Without comments, and with one blank wherever there is any.
 std::string essence(std::string_view text) {

@@ -9,6 +9,7 @@
 #include "sensor/renderer/labelled_depth.hpp"
 #include "sensor/renderer/scene/scene.hpp"
 #include "sensor/renderer/scene/scene_uri.hpp"
+#include "sensor/renderer/view/camera.hpp"
 
 namespace cleave::render {
 
@@ -17,7 +18,10 @@ namespace cleave::render {
 // at a time.
 class SceneLoop {
  public:
-  explicit SceneLoop(const SceneRequest& request, const CameraModel& camera = {});
+  explicit SceneLoop(const SceneRequest& request)
+      : SceneLoop(request, camera_of_size(request.width, request.height)) {}
+  // With another camera than of the request's size.
+  SceneLoop(const SceneRequest& request, const CameraModel& camera);
 
   [[nodiscard]] std::uint32_t size() const { return request_.frames; }
   [[nodiscard]] const Scene& scene() const { return scene_; }

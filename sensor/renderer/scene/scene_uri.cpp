@@ -23,7 +23,7 @@ struct Key {
   void (*set)(SceneRequest&, std::uint32_t);
 };
 constexpr std::uint32_t longest_ms = 3'600'000;
-constexpr std::array<Key, 16> keys = {{
+constexpr std::array<Key, 18> keys = {{
     {"seed", 0, std::numeric_limits<std::uint32_t>::max(),
      [](SceneRequest& request, std::uint32_t value) { request.seed = value; }},
     {"objects", fewest_objects, most_objects,
@@ -33,6 +33,9 @@ constexpr std::array<Key, 16> keys = {{
      [](SceneRequest& request, std::uint32_t value) { request.motion = value != 0; }},
     {"noise", 0, 1, [](SceneRequest& request, std::uint32_t value) { request.noise = value != 0; }},
     {"fps", 1, 240, [](SceneRequest& request, std::uint32_t value) { request.fps = value; }},
+    {"width", 16, 1600, [](SceneRequest& request, std::uint32_t value) { request.width = value; }},
+    {"height", 16, 1200,
+     [](SceneRequest& request, std::uint32_t value) { request.height = value; }},
     {"mirrored", 0, 1,
      [](SceneRequest& request, std::uint32_t value) { request.mirrored = value != 0; }},
     {"registration", 0, 1,

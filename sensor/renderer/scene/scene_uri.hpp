@@ -31,6 +31,8 @@ struct SceneRequest {
   bool motion = false;                   // whether the camera moves
   bool noise = true;                     // false: exact depth, rounded to 1 mm
   std::uint32_t fps = 30;                // 1 to 240
+  std::uint32_t width = 640;             // pixels, 16 to 1600
+  std::uint32_t height = 480;            // pixels, 16 to 1200
   bool mirrored = false;                 // left and right are swapped unless it is told otherwise
   bool registration = false;             // the camera can register its depth to a colour image
   CameraFaults faults;

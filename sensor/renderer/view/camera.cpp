@@ -6,6 +6,17 @@
 
 namespace cleave::render {
 
+CameraModel camera_of_size(std::uint32_t width, std::uint32_t height) {
+  constexpr CameraModel usual;
+  const double focal_length = usual.intrinsics.fx * width / usual.width;
+  return {.width = width,
+          .height = height,
+          .intrinsics = {.fx = focal_length,
+                         .fy = focal_length,
+                         .cx = (width - 1) / 2.0,
+                         .cy = (height - 1) / 2.0}};
+}
+
 CameraModel scaled(const CameraModel& camera, double factor) {
   // Integer coordinates are the middles of pixels: the image's border lies half a pixel outside.
   const Intrinsics& i = camera.intrinsics;

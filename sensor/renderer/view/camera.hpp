@@ -17,6 +17,9 @@ struct CameraModel {
   Intrinsics intrinsics;
 };
 
+// With square pixels, and the default's angle of view across.
+[[nodiscard]] CameraModel camera_of_size(std::uint32_t width, std::uint32_t height);
+
 // The same field of view with `factor` times as many columns and rows. `factor` > 0.
 [[nodiscard]] CameraModel scaled(const CameraModel& camera, double factor);
 

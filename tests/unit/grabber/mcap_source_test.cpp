@@ -125,7 +125,7 @@ TEST_F(McapSourceFile, PlaysATopicOfABagOfRosAndCountsWhatItCannotByCause) {
       .add("/points", cloud_type, 1, bytes_of_cloud(empty))
       .add("/points", cloud_type, 2, bytes_of_cloud(cloud_of(cloud.xyz, 32, 24)))
       .add("/points", cloud_type, 3,
-           bytes_of_cloud(cloud_of(std::vector<float>(3 * 848 * 480), 848, 480)))
+           bytes_of_cloud(cloud_of(std::vector<float>(3 * 1601 * 1200), 1601, 1200)))
       .add("/points", cloud_type, 9, bytes_of_cloud(cloud_of(cloud.xyz, 32, 24)))
       .close();
   McapSource source(file_, false, "/points");

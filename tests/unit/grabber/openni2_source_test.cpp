@@ -78,11 +78,26 @@ TEST(OpenNi2Source, TakesTheRateFromTheUriWhereItNamesOne) {
 }
 
 TEST(OpenNi2Source, NamesTheModesThatThereAre) {
-  const auto source = make_source("synthetic:simple", {320, 240, 30, false, false}, {});
-  const Failure failure = source->open();
+  OpenNi2Source source("synthetic:simple", {320, 240, 30, false, false});
+  const Failure failure = source.open();
   ASSERT_TRUE(failure);
   EXPECT_NE(failure->find("no depth mode 320x240@30, only 640x480@30"), std::string::npos)
       << *failure;
+}
+
+TEST(OpenNi2Source, DeliversImagesOfTheSizeAskedForAndOfTheUrisSize) {
+  for (const char* const uri : {"synthetic:simple", "synthetic:simple?height=480&width=848"}) {
+    const VideoMode mode = uri == std::string("synthetic:simple")
+                               ? VideoMode{848, 480, 30, false, false}
+                               : VideoMode{640, 480, 30, false, false};
+    const auto source = make_source(uri, mode, {});
+    ASSERT_FALSE(source->open());
+    Frame frame;
+    ASSERT_EQ(source->next(std::chrono::seconds(20), frame), Poll::frame);
+    EXPECT_EQ(frame.width, 848U);
+    EXPECT_EQ(frame.height, 480U);
+    EXPECT_NEAR(frame.intrinsics.fx, 525.0 * 848 / 640, .01);
+  }
 }
 
 TEST(OpenNi2Source, SaysWhatToDoWhereNoCameraIs) {

@@ -40,6 +40,9 @@ std::string type_of_number() {
 std::string type_of(const fields::HeaderFields&) {
   return "FrameHeader";
 }
+std::string type_of(const fields::PoseFields&) {
+  return "Pose3";
+}
 std::string type_of(const fields::PointFields&) {
   return "Point";
 }
@@ -122,6 +125,7 @@ class Fields : public testing::Test {
 
 TEST_F(Fields, AreThoseOfTheIdlInEveryStructOfTheStream) {
   expect_as_in_idl<cleave_v1_FrameHeader>(fields::header);
+  expect_as_in_idl<cleave_v1_Pose3>(fields::pose);
   expect_as_in_idl<cleave_v1_Point>(fields::point);
   expect_as_in_idl<cleave_v1_Quaternion>(fields::quaternion);
   expect_as_in_idl<cleave_v1_ImageRectangle>(fields::image_rectangle);
@@ -141,6 +145,7 @@ TEST_F(Fields, AreThoseOfTheIdlInEveryStructOfTheStream) {
 
 TEST_F(Fields, AreThoseOfTheIdlInEveryStructOfARecording) {
   expect_as_in_idl<recording::FrameHeader>(fields::header);
+  expect_as_in_idl<recording::Pose>(fields::pose);
   expect_as_in_idl<recording::Point>(fields::point);
   expect_as_in_idl<recording::Quaternion>(fields::quaternion);
   expect_as_in_idl<recording::ImageRectangle>(fields::image_rectangle);

@@ -26,8 +26,8 @@ TEST(Joiner, PairsACloudWithTheLabelsThatFollowIt) {
   EXPECT_FALSE(joiner.add(sample<DepthCloud>(1, 5)));
   const auto frame = joiner.add(sample<LabelMap>(1, 5));
   ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->cloud->header.frame_id, 5U);
-  EXPECT_EQ(frame->labels->header.frame_id, 5U);
+  EXPECT_EQ(frame->cloud.header().frame_id, 5U);
+  EXPECT_EQ(frame->labels.header().frame_id, 5U);
 }
 
 TEST(Joiner, PairsLabelsThatCameBeforeTheirCloud) {

@@ -60,7 +60,7 @@ TEST_F(FrameFile, GivesBackLabelsAndSegments) {
 TEST_F(FrameFile, RefusesFramesOfNoSize) {
   FrameWriter writer(file_);
   EXPECT_THROW(writer.write({0, Cloud{header(1, 0, 0), {}}}), DataError);
-  EXPECT_THROW(writer.write({0, Cloud{header(1, 641, 480), {}}}), DataError);
+  EXPECT_THROW(writer.write({0, Cloud{header(1, 1601, 1200), {}}}), DataError);
   Labels half = labels(1);
   half.label.pop_back();
   EXPECT_THROW(writer.write({0, half}), DataError);

@@ -34,8 +34,9 @@ TEST(SceneUri, APresetAloneHasTheDefaults) {
 }
 
 TEST(SceneUri, EveryKeyIsRead) {
-  const SceneRequest request =
-      parse_scene("crowded?seed=4294967295&objects=30&frames=600&motion=1&noise=0&fps=240");
+  const SceneRequest request = parse_scene(
+      "crowded?seed=4294967295&objects=30&frames=600&motion=1&noise=0&fps=240&"
+      "width=1280&height=720");
   EXPECT_EQ(request.preset, "crowded");
   EXPECT_EQ(request.seed, 4294967295U);
   EXPECT_EQ(request.objects, 30U);
@@ -43,6 +44,8 @@ TEST(SceneUri, EveryKeyIsRead) {
   EXPECT_TRUE(request.motion);
   EXPECT_FALSE(request.noise);
   EXPECT_EQ(request.fps, 240U);
+  EXPECT_EQ(request.width, 1280U);
+  EXPECT_EQ(request.height, 720U);
 }
 
 TEST(SceneUri, TellsTheCameraWhatGoesWrong) {

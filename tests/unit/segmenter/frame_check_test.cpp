@@ -76,8 +76,24 @@ TEST(FrameCheck, RejectsAnEmptySensorName) {
 }
 
 TEST(FrameCheck, RejectsAnotherSensorsFrame) {
-  EXPECT_EQ(check_header(good_header(), "camera2"), RejectCause::bad_header);
-  EXPECT_EQ(check_header(good_header(), "cam"), RejectCause::bad_header);
+  EXPECT_EQ(check_header(good_header(), "camera2", small_capacity_points), RejectCause::bad_header);
+  EXPECT_EQ(check_header(good_header(), "cam", small_capacity_points), RejectCause::bad_header);
+}
+
+TEST(FrameCheck, RejectsAParentFrameThatDoesNotEndAndAnswersWithoutIt) {
+  FrameHeader header = good_header();
+  std::fill(std::begin(header.parent_frame), std::end(header.parent_frame), 'x');
+
+  EXPECT_EQ(check_header(header, "camera", small_capacity_points), RejectCause::bad_header);
+  EXPECT_EQ(name_of(answerable(header, "camera").parent_frame), "");
+}
+
+TEST(FrameCheck, TakesALargeCloudOfTheLargeTypeAlone) {
+  FrameHeader header = good_header();
+  header.width = 848;
+
+  EXPECT_EQ(check_header(header, "camera", capacity_points), std::nullopt);
+  EXPECT_EQ(check_header(header, "camera", small_capacity_points), RejectCause::bad_size);
 }
 
 TEST(FrameCheck, RejectsACoordinateFrameThatDoesNotEnd) {

@@ -61,16 +61,16 @@ TEST_F(ForeignBag, IsConvertedToPcdAndToARecordingOfOurs) {
 
 TEST_F(ForeignBag, IsNoGoldenFileWhereACloudIsTooLargeAndSaysWhatHelps) {
   const fs::path large = folder_.path() / "large.mcap";
-  const std::vector<float> xyz(std::size_t{3} * 641 * 480, 1.0F);
+  const std::vector<float> xyz(std::size_t{3} * 1601 * 1200, 1.0F);
   Bag(large)
-      .add("/points", recording::ros::cloud_type, 1000, bytes_of_cloud(cloud_of(xyz, 641, 480)))
+      .add("/points", recording::ros::cloud_type, 1000, bytes_of_cloud(cloud_of(xyz, 1601, 1200)))
       .close();
   try {
     (void)update(large);
     FAIL() << "a golden file without it would prove nothing of it";
   } catch (const recording::FileError& error) {
     const std::string why = error.what();
-    EXPECT_NE(why.find("641 x 480"), std::string::npos) << why;
+    EXPECT_NE(why.find("1601 x 1200"), std::string::npos) << why;
     EXPECT_NE(why.find("--decimate 2"), std::string::npos) << why;
     EXPECT_EQ(why.find("recover"), std::string::npos) << why;
   }
@@ -81,7 +81,7 @@ TEST_F(ForeignBag, LeavesOutWhatARecordingCannotHoldAndKeepsNoEmptyFile) {
   const fs::path large = folder_.path() / "large.mcap";
   Bag(large)
       .add("/points", recording::ros::cloud_type, 1,
-           bytes_of_cloud(cloud_of(std::vector<float>(3 * 848 * 480, 1), 848, 480)))
+           bytes_of_cloud(cloud_of(std::vector<float>(3 * 1601 * 1200, 1), 1601, 1200)))
       .close();
   EXPECT_EQ(tests::run_command(client::add_convert_command,
                                {"convert", large, folder_.path() / "ours.mcap"}),

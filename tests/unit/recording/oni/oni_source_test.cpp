@@ -124,7 +124,7 @@ TEST(OniSource, EndsWhereALoopHasNoFrameThatIsWhole) {
   EXPECT_EQ(source.next({}, frame), Poll::end);
 }
 
-TEST(OniSource, PlaysImagesOfMoreThan640x480PixelsWhereTheyAreDecimated) {
+TEST(OniSource, PlaysImagesOfAnySizeAndDecimatesThem) {
   OniFile recording;
   recording.width = 848;
   recording.height = 480;

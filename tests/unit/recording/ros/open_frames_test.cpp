@@ -227,7 +227,7 @@ TEST_F(OpenFrames, PrefersTheCloudsOfCleaveWhereThereAreAny) {
 TEST(TopicSurvey, SaysThatAnImageIsLargerThanTheStreamCarries) {
   TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "bag.mcap";
-  CloudSpec large = cloud_of(std::vector<float>(3 * 848 * 480), 848, 480);
+  CloudSpec large = cloud_of(std::vector<float>(3 * 1601 * 1200), 1601, 1200);
   Bag(file).add("/points", cloud_type, 1, bytes_of_cloud(large)).close();
   McapReader reader(file);
   TopicSurvey survey;
@@ -235,7 +235,7 @@ TEST(TopicSurvey, SaysThatAnImageIsLargerThanTheStreamCarries) {
   const std::vector<TopicUse> topics = survey.topics();
   ASSERT_EQ(topics.size(), 1U);
   EXPECT_TRUE(topics[0].usable());
-  EXPECT_NE(topics[0].why.find("848 x 480 points"), std::string::npos) << topics[0].why;
+  EXPECT_NE(topics[0].why.find("1601 x 1200 points"), std::string::npos) << topics[0].why;
 }
 
 TEST(SplitTopic, PartsAFileFromATopicAtTheLastPlaceWhereOneIsNamed) {
