@@ -34,7 +34,7 @@ ReaderOfKind open(Stream& stream, std::uint32_t kind, const std::string& sensor,
     case CLEAVE_LABELS:
       return open<LabelReader>(stream, sensor, depth);
     case CLEAVE_SEGMENTS:
-      return open<Reader<SegmentList>>(stream, sensor, depth);
+      return open<ListReader>(stream, sensor, depth);
     case CLEAVE_STATUS:
       return open<Reader<NodeStatus>>(stream, sensor, depth);
     default:

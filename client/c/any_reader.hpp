@@ -11,6 +11,7 @@
 
 #include "c/cleave.h"
 #include "libcleave/cloud_reader.hpp"
+#include "libcleave/list_reader.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/ready_descriptor.hpp"
 #include "libcleave/stream.hpp"
@@ -19,9 +20,8 @@
 namespace cleave::c {
 
 // Both in the order of cleave_kind.
-using AnySample = std::variant<CloudSample, LabelSample, Sample<SegmentList>, Sample<NodeStatus>>;
-using ReaderOfKind =
-    std::variant<CloudReader, LabelReader, Reader<SegmentList>, Reader<NodeStatus>>;
+using AnySample = std::variant<CloudSample, LabelSample, ListSample, Sample<NodeStatus>>;
+using ReaderOfKind = std::variant<CloudReader, LabelReader, ListReader, Reader<NodeStatus>>;
 
 class AnyReader {
  public:

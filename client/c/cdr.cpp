@@ -26,7 +26,7 @@ AnySample decoded(std::uint32_t kind, bool large, std::span<const std::byte> byt
       return LabelSample(
           large ? sample_of_cdr<LargeLabelMap>(bytes) : sample_of_cdr<LabelMap>(bytes), large);
     case CLEAVE_SEGMENTS:
-      return Sample<SegmentList>(sample_of_cdr<SegmentList>(bytes));
+      return ListSample(Sample<SegmentList>(sample_of_cdr<SegmentList>(bytes)));
     case CLEAVE_STATUS:
       return Sample<NodeStatus>(sample_of_cdr<NodeStatus>(bytes));
     default:
@@ -43,10 +43,8 @@ struct Encode {
     return s.large() ? cdr_of(*reinterpret_cast<const LargeLabelMap*>(&s.header()))
                      : cdr_of(*reinterpret_cast<const LabelMap*>(&s.header()));
   }
-  template <class T>
-  std::vector<std::byte> operator()(const Sample<T>& s) const {
-    return cdr_of(*s);
-  }
+  std::vector<std::byte> operator()(const ListSample& s) const { return cdr_of(s.message()); }
+  std::vector<std::byte> operator()(const Sample<NodeStatus>& s) const { return cdr_of(*s); }
 };
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "c/any_reader.hpp"
 #include "c/cleave.h"
 #include "libcleave/cloud_publisher.hpp"
-#include "libcleave/frame_reader.hpp"
+#include "libcleave/frames/frame_reader.hpp"
 #include "libcleave/stream.hpp"
 
 namespace cleave::c {

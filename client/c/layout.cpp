@@ -27,9 +27,9 @@ SAME_MEMBER(cleave_quaternion, cleave_v1_Quaternion, y);
 SAME_MEMBER(cleave_quaternion, cleave_v1_Quaternion, z);
 SAME_MEMBER(cleave_quaternion, cleave_v1_Quaternion, w);
 
-SAME_SIZE(cleave_pose, cleave_v1_Pose);
-SAME_MEMBER(cleave_pose, cleave_v1_Pose, position);
-SAME_MEMBER(cleave_pose, cleave_v1_Pose, orientation);
+SAME_SIZE(cleave_pose, cleave_v1_Pose3);
+SAME_MEMBER(cleave_pose, cleave_v1_Pose3, position);
+SAME_MEMBER(cleave_pose, cleave_v1_Pose3, orientation);
 
 SAME_SIZE(cleave_header, cleave_v1_FrameHeader);
 SAME_MEMBER(cleave_header, cleave_v1_FrameHeader, frame_id);

@@ -17,7 +17,7 @@ bool ends(const char (&name)[64]) {
 struct HeaderOf {
   const FrameHeader* operator()(const CloudSample& cloud) const { return &cloud.header(); }
   const FrameHeader* operator()(const LabelSample& labels) const { return &labels.header(); }
-  const FrameHeader* operator()(const Sample<SegmentList>& list) const { return &list->header; }
+  const FrameHeader* operator()(const ListSample& list) const { return &list.header(); }
   const FrameHeader* operator()(const Sample<NodeStatus>& /*status*/) const { return nullptr; }
 };
 

@@ -12,6 +12,14 @@
 namespace cleave::c {
 namespace {
 
+// Lists and statuses travel over the public domain alone.
+struct IsZeroCopy {
+  bool operator()(const CloudSample& cloud) const { return cloud.zero_copy(); }
+  bool operator()(const LabelSample& labels) const { return labels.zero_copy(); }
+  bool operator()(const ListSample& /*list*/) const { return false; }
+  bool operator()(const Sample<NodeStatus>& /*status*/) const { return false; }
+};
+
 // Throws Failure where the sample is of another kind.
 template <class Kind>
 const Kind& sample_as(const cleave_sample* handle, const char* kind) {
@@ -91,8 +99,7 @@ cleave_kind cleave_sample_kind(const cleave_sample* sample) {
 }
 
 int cleave_sample_zero_copy(const cleave_sample* sample) {
-  const auto zero_copy = [](const auto& s) { return s.zero_copy(); };
-  return sample != nullptr && std::visit(zero_copy, sample->sample) ? 1 : 0;
+  return sample != nullptr && std::visit(cleave::c::IsZeroCopy{}, sample->sample) ? 1 : 0;
 }
 
 const cleave_header* cleave_sample_header(const cleave_sample* sample) {
@@ -131,9 +138,8 @@ cleave_result cleave_sample_labels(const cleave_sample* sample, const uint16_t**
 
 cleave_result cleave_sample_list(const cleave_sample* sample, cleave_list* list) {
   return cleave::c::guarded([&] {
-    using List = cleave::Sample<cleave::SegmentList>;
-    const auto& from = cleave::c::sample_as<List>(sample, "segment list");
-    cleave::c::given(list, "list") = cleave::c::list_of(*from);
+    const auto& from = cleave::c::sample_as<cleave::ListSample>(sample, "segment list");
+    cleave::c::given(list, "list") = cleave::c::list_of(from.message());
     return CLEAVE_OK;
   });
 }

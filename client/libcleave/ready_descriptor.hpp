@@ -8,6 +8,7 @@
 
 #include "libcleave/internal/bulk_reader.hpp"
 #include "libcleave/internal/raw_reader.hpp"
+#include "libcleave/list_reader.hpp"
 #include "libcleave/reader.hpp"
 
 namespace cleave {
@@ -31,6 +32,7 @@ class ReadyDescriptor {
     reader.small().notify(descriptor_);
     reader.large().notify(descriptor_);
   }
+  void attach(const ListReader& reader) { reader.raw().notify(descriptor_); }
 
   [[nodiscard]] int get() const { return descriptor_; }
 

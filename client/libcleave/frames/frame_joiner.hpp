@@ -7,16 +7,16 @@
 #include <optional>
 
 #include "idl/frame_key.hpp"
+#include "libcleave/frames/joiner.hpp"
 #include "libcleave/internal/waiting.hpp"
-#include "libcleave/joiner.hpp"
-#include "libcleave/reader.hpp"
+#include "libcleave/list_reader.hpp"
 
 namespace cleave {
 
 struct CompleteFrame {
   CloudSample cloud;
   LabelSample labels;
-  Sample<SegmentList> list;
+  ListSample list;
 };
 
 class FrameJoiner {
@@ -24,7 +24,7 @@ class FrameJoiner {
   // The frame that this sample completes, if any; what is older than it is given up, as by Joiner.
   [[nodiscard]] std::optional<CompleteFrame> add(CloudSample cloud);
   [[nodiscard]] std::optional<CompleteFrame> add(LabelSample labels);
-  [[nodiscard]] std::optional<CompleteFrame> add(Sample<SegmentList> list);
+  [[nodiscard]] std::optional<CompleteFrame> add(ListSample list);
 
   // Samples given up because the rest of their frame did not come. (A rejected frame has no label
   // map, so its cloud and its list are among them.)
@@ -37,14 +37,14 @@ class FrameJoiner {
     FrameKey operator()(const JoinedFrame& pair) const { return key_of(pair.cloud.header()); }
   };
   struct ListKey {
-    FrameKey operator()(const Sample<SegmentList>& list) const { return key_of(list->header); }
+    FrameKey operator()(const ListSample& list) const { return key_of(list.header()); }
   };
   [[nodiscard]] std::optional<CompleteFrame> add_pair(std::optional<JoinedFrame> pair);
 
   Joiner joiner_;
   // A pair keeps two chunks out of the pool, a list none. A list comes a moment after its pair.
   Waiting<JoinedFrame, PairKey> pairs_{2};
-  Waiting<Sample<SegmentList>, ListKey> lists_{8};
+  Waiting<ListSample, ListKey> lists_{8};
 };
 
 }  // namespace cleave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "libcleave/frame_joiner.hpp"
+#include "libcleave/frames/frame_joiner.hpp"
 
 #include <utility>
 
@@ -24,7 +24,7 @@ std::optional<CompleteFrame> FrameJoiner::add_pair(std::optional<JoinedFrame> pa
   return std::nullopt;
 }
 
-std::optional<CompleteFrame> FrameJoiner::add(Sample<SegmentList> list) {
+std::optional<CompleteFrame> FrameJoiner::add(ListSample list) {
   const FrameKey frame = ListKey{}(list);
   if (auto pair = pairs_.take(frame)) {
     lists_.give_up_before(frame);

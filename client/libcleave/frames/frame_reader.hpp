@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "libcleave/cloud_reader.hpp"
-#include "libcleave/frame_joiner.hpp"
-#include "libcleave/reader.hpp"
+#include "libcleave/frames/frame_joiner.hpp"
+#include "libcleave/list_reader.hpp"
 #include "libcleave/ready_descriptor.hpp"
 #include "libcleave/stream.hpp"
 #include "libcleave/types.hpp"
@@ -47,7 +47,7 @@ class FrameReader {
   ReadyDescriptor ready_;
   CloudReader clouds_;
   LabelReader labels_;
-  Reader<SegmentList> lists_;
+  ListReader lists_;
   FrameJoiner joiner_;
 };
 

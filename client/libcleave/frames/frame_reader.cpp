@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "libcleave/frame_reader.hpp"
+#include "libcleave/frames/frame_reader.hpp"
 
 #include <algorithm>
 #include <utility>
