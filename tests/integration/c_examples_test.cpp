@@ -55,7 +55,7 @@ TEST(ExamplesInC, PublishACameraThatTheDaemonSegments) {
   Process segmenter = daemons.segmenter({});
   ASSERT_TRUE(segmenter.logs("segmenting sensor 'camera'")) << segmenter.log();
   Process reader = daemons.run("cleave", {"echo", "--sensor", "camera", "--json", "--frames", "3"});
-  Process camera = daemons.run("c_own_camera", {"200"});
+  Process camera = daemons.run("c_own_camera", {"90"});
   EXPECT_EQ(reader.wait(), 0) << reader.log() << camera.log() << segmenter.log();
   EXPECT_NE(reader.output().find("segmented"), std::string::npos) << reader.output();
   EXPECT_EQ(camera.wait(), 0) << camera.log();
