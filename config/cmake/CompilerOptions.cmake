@@ -49,3 +49,13 @@ function(cleave_program name)
   add_executable(${name} ${ARGN})
   cleave_compile_options(${name})
 endfunction()
+
+# cleave_c_program(name SOURCES...): an executable in bin/, in C11 against the C interface, compiled
+# as warily as a user's may be.
+function(cleave_c_program name)
+  add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES
+    C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF COMPILE_WARNING_AS_ERROR ON)
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wstrict-prototypes)
+  target_link_libraries(${name} PRIVATE cleave::c)
+endfunction()
