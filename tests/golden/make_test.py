@@ -17,6 +17,8 @@ class Check(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.idl = pathlib.Path(shutil.copy(TOP / "idl/cleave_v1.idl", folder.name))
         self.golden = pathlib.Path(shutil.copytree(TOP / "idl/golden", folder.name + "/golden"))
+        self.edit_idl("@final struct LargeDepthCloud", "@final @nested struct LargeDepthCloud")
+        shutil.rmtree(self.golden / "LargeDepthCloud")  # 140 MB, which teach nothing more
 
     def make(self, *words):
         return subprocess.run([TOP / "tests/golden/make", *words, self.idl, self.golden],
