@@ -26,7 +26,7 @@ TEST(FastDds, PublishesCloudsThatAreSegmented) {
   Process subscriber = daemons.run("fast_dds_subscriber", {"38", "camera", "10"});
   Process segmenter = daemons.segmenter();
   ASSERT_TRUE(segmenter.logs("ready")) << segmenter.log();
-  Process camera = daemons.run("fast_dds_cloud_publisher", {"38", "camera", "40"});
+  Process camera = daemons.run("fast_dds_cloud_publisher", {"38", "camera", "20"});
   EXPECT_EQ(subscriber.wait(), 0) << subscriber.log() << segmenter.log() << camera.log();
   EXPECT_EQ(subscriber.output().find("camera frame "), 0U) << subscriber.output();
   EXPECT_NE(subscriber.output().find("segments 4"), std::string::npos) << subscriber.output();
