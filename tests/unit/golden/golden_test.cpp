@@ -10,15 +10,8 @@
 #include "recording/frames/segment_list_message.hpp"
 #include "tests/unit/golden/golden_files.hpp"
 #include "tests/unit/golden/idl_json.hpp"
-#include "tests/unit/idl/idl_file.hpp"
 
 namespace cleave::test {
-
-std::string enumerator(const std::string& enumeration, std::size_t index) {
-  static const IdlFile contract = read_contract();
-  return contract.enumerations.at(enumeration).at(index);
-}
-
 namespace {
 
 // The values that the golden file gives; behind them all must be 0.
