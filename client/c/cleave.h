@@ -4,15 +4,18 @@
  * out. One header, one library, -lcleave-c, for every language that can call C.
  *
  * Results. A function that can fail returns a cleave_result; where it is not CLEAVE_OK,
- * cleave_error() says in words what failed and what to do. No exception and no signal crosses this
- * boundary; a null pointer is CLEAVE_BAD_ARGUMENT, never a crash.
+ * cleave_error() says in words what failed and what to do, and nothing is written through the
+ * pointers to results. No exception crosses this boundary; a null pointer is CLEAVE_BAD_ARGUMENT,
+ * never a crash, and what returns no result answers it with 0, null or -1.
  *
  * Threads. A stream may be used from several threads; a reader, a frames, a publisher and a sample
- * from one at a time. Samples may be released on any thread. cleave_error() is the calling thread's.
+ * from one at a time. Samples may be released on any thread. cleave_error() is the calling
+ * thread's.
  *
- * Lifetime. Close readers, frames and publishers before their stream; release samples before the
- * reader that gave them. A sample's pointers are valid until it is released: a cloud's and a label
- * map's point into the memory of its writer, so hold few of them.
+ * Lifetime. What was opened may be closed, and what was taken released, in any order, each once: a
+ * stream that is closed lives on for its readers and publishers, a reader for its samples. A
+ * sample's pointers are valid until it is released: a cloud's and a label map's point into the
+ * memory of its writer, so hold few of them.
  *
  * Frames and units. Points are x right, y down, z forward in metres in the header's coordinate
  * frame; NaN = no measurement. capture_time_ns is of the wall clock (Unix epoch), all other times
@@ -35,11 +38,11 @@ extern "C" {
 
 typedef enum cleave_result {
   CLEAVE_OK = 0,
-  CLEAVE_TIMEOUT = 1,      /* nothing came in time; nothing is wrong */
+  CLEAVE_TIMEOUT = 1,      /* nothing came in time, or a signal's handler ran: nothing is wrong */
   CLEAVE_BAD_ARGUMENT = 2, /* a null pointer, a name or a size that cannot be */
-  CLEAVE_NO_MEMORY = 3,    /* readers hold all chunks: drop the frame */
-  CLEAVE_BAD_DATA = 4,     /* bytes that are no sample, or a sample of another kind */
-  CLEAVE_FAILED = 5        /* DDS, RouDi or the system: see cleave_error() */
+  CLEAVE_NO_MEMORY = 3,    /* readers hold all chunks: drop the frame; or the machine has none */
+  CLEAVE_BAD_DATA = 4, /* bytes that are no sample, a sample of another kind or with a lie in it */
+  CLEAVE_FAILED = 5    /* DDS, RouDi or the system: see cleave_error() */
 } cleave_result;
 
 typedef enum cleave_kind {
@@ -79,7 +82,7 @@ typedef struct cleave_header {
   int64_t publication_time_ns;
   uint64_t device_time_us;
   uint32_t width;
-  uint32_t height; /* 1 = unorganised */
+  uint32_t height;      /* 1 = unorganised */
   float fx, fy, cx, cy; /* pixels; all 0 = not an image */
   char sensor[64];
   char coordinate_frame[64];
@@ -118,7 +121,7 @@ typedef struct cleave_list {
   const cleave_header* header;
   int64_t cloud_publication_time_ns;
   int64_t cloud_reception_time_ns;
-  uint32_t outcome; /* 0 = segmented; else why not, cleave_outcome_name() */
+  uint32_t outcome;               /* 0 = segmented; else why not, cleave_outcome_name() */
   const cleave_segment* segments; /* in the order of their labels 1, 2, ... */
   size_t segment_count;
   const cleave_border* borders;
@@ -138,7 +141,7 @@ typedef struct cleave_status {
   const char* contract;
   const char* sensor;
   uint32_t process_id;
-  uint32_t state; /* cleave_state_name() */
+  uint32_t state;     /* cleave_state_name() */
   uint32_t transport; /* 0 = shared memory, 1 = network */
   const char* transport_reason;
   uint64_t frames_in;
@@ -178,10 +181,13 @@ CLEAVE_API const char* cleave_state_name(uint32_t state);
 typedef struct cleave_options {
   int32_t domain;        /* 0 to 99; -1 = the environment's CLEAVE_DOMAIN, or 0 */
   int32_t shared_memory; /* 0 = clouds and label maps are copied over loopback */
-  const char* interface; /* of segment lists and statuses; null = loopback */
+  /* Of segment lists and statuses, by name or address; null = the environment's CLEAVE_INTERFACE,
+   * or loopback. */
+  const char* interface;
 } cleave_options;
 
-/* Null options: {-1, 1, NULL}. One stream a process. Without RouDi it falls back to the network. */
+/* Null options: {-1, 1, NULL}. One stream a process at a time. Without RouDi it falls back to the
+ * network. */
 CLEAVE_API cleave_result cleave_open(const cleave_options* options, cleave_stream** stream);
 CLEAVE_API void cleave_close(cleave_stream* stream);
 /* Whether shared memory carries clouds and label maps, and why (or why not). */
@@ -189,14 +195,15 @@ CLEAVE_API int cleave_uses_shared_memory(const cleave_stream* stream, const char
 
 /* ---- reading one topic ---- */
 
-/* `sensor` is ignored for CLEAVE_STATUS. `depth`: samples kept until they are taken; 0 = the
- * contract's. */
+/* `sensor` is ignored for CLEAVE_STATUS. `depth`: samples kept until they are taken, at most 256,
+ * beyond which the oldest is lost; 0 = the contract's. */
 CLEAVE_API cleave_result cleave_reader_open(cleave_stream* stream, cleave_kind kind,
                                             const char* sensor, uint32_t depth,
                                             cleave_reader** reader);
 CLEAVE_API void cleave_reader_close(cleave_reader* reader);
-/* The oldest sample that waits; CLEAVE_TIMEOUT when there is none. Never blocks, never copies out of
- * shared memory. */
+/* The oldest sample that waits; CLEAVE_TIMEOUT when there is none. Never blocks, never copies out
+ * of shared memory. CLEAVE_BAD_DATA: a foreign writer's sample made no sense and was dropped; go
+ * on. */
 CLEAVE_API cleave_result cleave_take(cleave_reader* reader, cleave_sample** sample);
 /* Until a sample waits; timeout_ms < 0 = for ever. */
 CLEAVE_API cleave_result cleave_wait(cleave_reader* reader, int32_t timeout_ms);
@@ -212,11 +219,17 @@ CLEAVE_API uint32_t cleave_reader_writers(const cleave_reader* reader);
 CLEAVE_API cleave_result cleave_frames_open(cleave_stream* stream, const char* sensor,
                                             cleave_frames** frames);
 CLEAVE_API void cleave_frames_close(cleave_frames* frames);
-/* The next frame that is complete: its three samples, each to be released; timeout_ms < 0 = wait for
- * ever. */
+/* The next frame that is complete: its three samples, each to be released; timeout_ms < 0 = wait
+ * for ever. */
 CLEAVE_API cleave_result cleave_frames_next(cleave_frames* frames, int32_t timeout_ms,
                                             cleave_sample** cloud, cleave_sample** labels,
                                             cleave_sample** segments);
+/* Becomes readable when a frame may be complete: for poll() and event loops. Ask for the next frame
+ * with timeout_ms 0 until CLEAVE_TIMEOUT, which makes it unreadable again. The library's to close.
+ */
+CLEAVE_API int cleave_frames_fd(const cleave_frames* frames);
+/* Samples that were given up because the rest of their frame did not come. */
+CLEAVE_API uint64_t cleave_frames_given_up(const cleave_frames* frames);
 
 /* ---- samples ---- */
 
@@ -245,11 +258,11 @@ CLEAVE_API cleave_result cleave_encode(cleave_sample* sample, const void** bytes
 /* ---- publishing your own camera ---- */
 
 typedef struct cleave_camera {
-  const char* sensor;   /* names the topics: 1 to 63 letters, digits or '_' */
-  uint32_t width, height; /* points; height 1 = unorganised; at most 1600 x 1200 in all */
-  float fx, fy, cx, cy; /* pixels; all 0 = not an image */
+  const char* sensor;           /* names the topics: 1 to 63 letters, digits or '_' */
+  uint32_t width, height;       /* points; height 1 = unorganised; at most 1600 x 1200 in all */
+  float fx, fy, cx, cy;         /* pixels; all 0 = not an image */
   const char* coordinate_frame; /* of the points; null = "<sensor>_optical" */
-  const char* parent_frame; /* null = the pose is not known */
+  const char* parent_frame;     /* null = the pose is not known, and `pose` is ignored */
   cleave_pose pose;
 } cleave_camera;
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <span>
 
-#include "libcleave/joiner.hpp"
+#include "libcleave/frames/joiner.hpp"
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/wait_set.hpp"
 

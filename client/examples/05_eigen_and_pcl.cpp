@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <span>
 
-#include "libcleave/joiner.hpp"
+#include "libcleave/frames/joiner.hpp"
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/wait_set.hpp"
 

@@ -25,12 +25,12 @@ void require(bool holds, const std::string& what) {
 }
 
 void check(const CloudSettings& s) {
-  require(is_valid_sensor_name(s.sensor), "a sensor of 1 to 63 letters, digits or '_', not '" +
-                                              s.sensor + "'");
+  require(is_valid_sensor_name(s.sensor),
+          "a sensor of 1 to 63 letters, digits or '_', not '" + s.sensor + "'");
   const std::uint64_t points = std::uint64_t{s.width} * s.height;
-  require(points > 0 && points <= capacity_points,
-          "1 to " + std::to_string(capacity_points) + " points, not " + std::to_string(s.width) +
-              " x " + std::to_string(s.height));
+  require(points > 0 && points <= capacity_points, "1 to " + std::to_string(capacity_points) +
+                                                       " points, not " + std::to_string(s.width) +
+                                                       " x " + std::to_string(s.height));
   const bool image = s.fx != 0 || s.fy != 0 || s.cx != 0 || s.cy != 0;
   require(!image || (s.fx > 0 && s.fy > 0 && std::isfinite(s.fx + s.fy + s.cx + s.cy)),
           "positive focal lengths fx and fy, or no intrinsics at all");
@@ -49,7 +49,8 @@ FrameHeader header_of(const CloudSettings& s) {
   header.cx = s.cx;
   header.cy = s.cy;
   header.epoch = static_cast<std::uint32_t>(wall_now_ns() / 1'000'000'000);
-  require(set_name(header.sensor, s.sensor) && set_name(header.coordinate_frame, s.coordinate_frame) &&
+  require(set_name(header.sensor, s.sensor) &&
+              set_name(header.coordinate_frame, s.coordinate_frame) &&
               set_name(header.parent_frame, s.parent_frame),
           "names of at most 63 characters");
   header.pose = {{s.position[0], s.position[1], s.position[2]},
@@ -98,17 +99,15 @@ struct CloudPublisher::State {
     if (found == expected) return;
     throw std::invalid_argument("a frame of " + std::to_string(settings.width) + " x " +
                                 std::to_string(settings.height) + " points has " +
-                                std::to_string(expected) + " values, not " +
-                                std::to_string(found));
+                                std::to_string(expected) + " values, not " + std::to_string(found));
   }
-  [[nodiscard]] std::size_t points() const {
-    return std::size_t{settings.width} * settings.height;
-  }
+  [[nodiscard]] std::size_t points() const { return std::size_t{settings.width} * settings.height; }
   void check_depth(std::size_t found) const {
     check_size(found, points());
     if (settings.fx == 0) {
-      throw std::invalid_argument("depth becomes points by the intrinsics fx, fy, cx and cy, which "
-                                  "the publisher was not given");
+      throw std::invalid_argument(
+          "depth becomes points by the intrinsics fx, fy, cx and cy, which "
+          "the publisher was not given");
     }
   }
 
@@ -120,6 +119,7 @@ struct CloudPublisher::State {
   NodeReport report;
   recording::DepthProjection projection;
   Clock::time_point next_status{};
+  bool lacked_memory = false;
 };
 
 CloudPublisher::CloudPublisher(Stream& stream, CloudSettings settings)
@@ -134,6 +134,7 @@ bool CloudPublisher::publish_depth(std::span<const std::uint16_t> depth, float u
                                    std::int64_t capture_time_ns) {
   const State& s = *state_;
   s.check_depth(depth.size());
+  require(unit_m > 0 && std::isfinite(unit_m), "a unit of depth in metres, more than 0");
   std::optional<CloudLoan> cloud = loan();
   if (!cloud) return false;
   s.projection.write_points({depth.data(), s.settings.width, s.settings.height,
@@ -165,6 +166,7 @@ bool CloudPublisher::publish_points(std::span<const float> xyz, std::int64_t cap
 
 std::optional<CloudLoan> CloudPublisher::loan() {
   std::optional<CloudLoan> cloud = state_->writer.loan(state_->points());
+  state_->lacked_memory = !cloud;
   if (!cloud) {
     (void)state_->drop(obstacle().empty() ? "no free chunk" : "no chunks for large clouds");
   }
@@ -192,6 +194,9 @@ bool CloudPublisher::publish(CloudLoan&& cloud, std::int64_t capture_time_ns) {
 
 unsigned CloudPublisher::readers() const {
   return state_->writer.matched_readers();
+}
+bool CloudPublisher::lacked_memory() const {
+  return state_->lacked_memory;
 }
 std::string CloudPublisher::obstacle() const {
   return state_->writer.obstacle();

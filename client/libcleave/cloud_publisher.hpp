@@ -16,9 +16,9 @@ namespace cleave {
 
 // What is the same in every frame of a sensor.
 struct CloudSettings {
-  std::string sensor = "camera";  // names the topics
-  std::uint32_t width = 640;      // points a row
-  std::uint32_t height = 480;     // rows; 1 = unorganised
+  std::string sensor = "camera";         // names the topics
+  std::uint32_t width = 640;             // points a row
+  std::uint32_t height = 480;            // rows; 1 = unorganised
   float fx = 0, fy = 0, cx = 0, cy = 0;  // pinhole intrinsics in pixels; all 0 = not an image
   std::string coordinate_frame;          // of the points; empty = "<sensor>_optical"
   // Where the sensor is: p_parent = orientation * p + position. Empty = not known.
@@ -39,10 +39,10 @@ class CloudPublisher {
   CloudPublisher(const CloudPublisher&) = delete;
   CloudPublisher& operator=(const CloudPublisher&) = delete;
 
-  // Each publishes a frame of width * height points, which are written straight into the memory that
-  // is published, and returns whether it is out: false, and counted, when readers hold all memory
-  // or DDS refuses it. `capture_time_ns` is of the wall clock; 0 = now. A span of another size
-  // throws std::invalid_argument.
+  // Each publishes a frame of width * height points, which are written straight into the memory
+  // that is published, and returns whether it is out: false, and counted, when readers hold all
+  // memory or DDS refuses it. `capture_time_ns` is of the wall clock; 0 = now. A span of another
+  // size throws std::invalid_argument.
   //
   // Depth, row-major, in units of `unit_m` metres (0.001 = millimetres), 0 = no measurement; needs
   // intrinsics.
@@ -60,6 +60,8 @@ class CloudPublisher {
 
   // Who reads the clouds now: a publisher need not compute what nobody reads.
   [[nodiscard]] unsigned readers() const;
+  // Whether the last frame that is not out found no memory; if not, DDS refused it.
+  [[nodiscard]] bool lacked_memory() const;
   // Why there is no memory, and what to do about it; empty if there was.
   [[nodiscard]] std::string obstacle() const;
   [[nodiscard]] std::uint64_t published() const;

@@ -49,3 +49,17 @@ function(cleave_program name)
   add_executable(${name} ${ARGN})
   cleave_compile_options(${name})
 endfunction()
+
+# cleave_c_program(name SOURCES... [LIBRARIES targets...]): an executable in bin/, in C11, compiled as
+# warily as a user's may be; against the C interface, or other libraries.
+function(cleave_c_program name)
+  cmake_parse_arguments(ARG "" "" "LIBRARIES" ${ARGN})
+  if(NOT ARG_LIBRARIES)
+    set(ARG_LIBRARIES cleave::c)
+  endif()
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  set_target_properties(${name} PROPERTIES
+    C_STANDARD 11 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF COMPILE_WARNING_AS_ERROR ON)
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wstrict-prototypes)
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
+endfunction()

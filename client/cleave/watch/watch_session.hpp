@@ -14,7 +14,7 @@
 #include "cleave/watch/watch_report.hpp"
 #include "console/picture/depth_image.hpp"
 #include "libcleave/cloud_reader.hpp"
-#include "libcleave/joiner.hpp"
+#include "libcleave/frames/joiner.hpp"
 #include "libcleave/process/shutdown.hpp"
 #include "libcleave/reader.hpp"
 #include "libcleave/wait_set.hpp"

@@ -3,24 +3,14 @@
 
 #include <dds/ddsi/ddsi_serdata.h>
 #include <spdlog/spdlog.h>
+#include <sys/eventfd.h>
+
+#include <string>
 
 #include "libcleave/internal/dds.hpp"
 
 namespace cleave {
 namespace {
-
-void on_matched(dds_entity_t /*reader*/, const dds_subscription_matched_status_t status,
-                void* topic) {
-  const std::string& name = static_cast<const Topic*>(topic)->name;
-  spdlog::debug("{}: a writer {}, {} now", name,
-                status.current_count_change > 0 ? "joined" : "left", status.current_count);
-}
-
-void on_incompatible(dds_entity_t /*reader*/, const dds_requested_incompatible_qos_status_t status,
-                     void* topic) {
-  spdlog::warn("{}: a writer cannot be heard: its {} policy does not match what this reader needs",
-               static_cast<const Topic*>(topic)->name, dds::policy_name(status.last_policy_id));
-}
 
 ddsi_serdata* serdata_of(void* opaque) {
   return static_cast<ddsi_serdata*>(opaque);
@@ -44,7 +34,30 @@ void RawSample::release() noexcept {
 struct RawReader::State {
   explicit State(const Topic& t) : topic(t) {}
   Topic topic;
+  int event_descriptor = -1;
   dds::Entity dds_topic, reader;
+
+  [[nodiscard]] dds::Listener listener() {
+    dds::Listener result(dds_create_listener(this));
+    dds_lset_subscription_matched(result.get(), on_matched);
+    dds_lset_requested_incompatible_qos(result.get(), on_incompatible);
+    return result;
+  }
+  static void on_matched(dds_entity_t /*reader*/, const dds_subscription_matched_status_t status,
+                         void* state) {
+    spdlog::debug("{}: a writer {}, {} now", static_cast<const State*>(state)->topic.name,
+                  status.current_count_change > 0 ? "joined" : "left", status.current_count);
+  }
+  static void on_incompatible(dds_entity_t /*reader*/,
+                              const dds_requested_incompatible_qos_status_t status, void* state) {
+    spdlog::warn(
+        "{}: a writer cannot be heard: its {} policy does not match what this reader needs",
+        static_cast<const State*>(state)->topic.name, dds::policy_name(status.last_policy_id));
+  }
+  // On whichever thread of DDS or iceoryx brings a sample.
+  static void on_data(dds_entity_t /*reader*/, void* state) {
+    (void)::eventfd_write(static_cast<const State*>(state)->event_descriptor, 1);
+  }
 };
 
 RawReader::RawReader(Stream& stream, const Topic& topic, ReaderDepth depth)
@@ -52,9 +65,7 @@ RawReader::RawReader(Stream& stream, const Topic& topic, ReaderDepth depth)
   State& s = *state_;
   const dds_entity_t participant = dds::participant_of(stream, topic);
   s.dds_topic = dds::create_topic(participant, topic);
-  const dds::Listener listener(dds_create_listener(&s.topic));
-  dds_lset_subscription_matched(listener.get(), on_matched);
-  dds_lset_requested_incompatible_qos(listener.get(), on_incompatible);
+  const dds::Listener listener = s.listener();
   s.reader = {dds_create_reader(participant, s.dds_topic.get(),
                                 dds::qos_of(topic, depth.samples).get(), listener.get()),
               "cannot create a reader of " + topic.name};
@@ -94,6 +105,17 @@ unsigned RawReader::live_writers() const {
   dds_liveliness_changed_status_t status;
   const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;
   return known ? status.alive_count : 0;
+}
+
+void RawReader::notify(int event_descriptor) const {
+  State& s = *state_;
+  s.event_descriptor = event_descriptor;
+  const dds::Listener listener = s.listener();
+  dds_lset_data_available(listener.get(), State::on_data);
+  if (const dds_return_t code = dds_set_listener(s.reader.get(), listener.get()); code < 0) {
+    throw std::runtime_error("cannot listen to " + s.topic.name + ": " + dds_strretcode(code));
+  }
+  State::on_data(s.reader.get(), &s);
 }
 
 std::int32_t RawReader::entity() const {

@@ -51,6 +51,9 @@ class RawReader {
   // The oldest sample that waits; empty when there is none. Never copies out of shared memory.
   [[nodiscard]] std::optional<RawSample> take();
   [[nodiscard]] unsigned live_writers() const;
+  // Writes to an eventfd whenever a sample comes, from now on, and once now, for one may wait
+  // already. The descriptor outlives this. Once.
+  void notify(int event_descriptor) const;
   // DDS entity, for a wait set.
   [[nodiscard]] std::int32_t entity() const;
 

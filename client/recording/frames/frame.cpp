@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording/frames/frame.hpp"
 
-#include <array>
+#include "idl/outcome_name.hpp"
 
 namespace cleave::recording {
 
@@ -10,11 +10,7 @@ const char* name_of(BorderKind kind) {
 }
 
 const char* name_of(FrameOutcome outcome) {
-  static constexpr std::array names = {
-      "segmented",           "bad size",          "bad header", "no finite point",
-      "segmentation failed", "too many segments", "wrong unit"};
-  const auto i = static_cast<std::size_t>(outcome);
-  return i < names.size() ? names.at(i) : "unknown";
+  return outcome_name(static_cast<std::uint32_t>(outcome));
 }
 
 }  // namespace cleave::recording

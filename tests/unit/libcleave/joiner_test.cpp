@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "libcleave/joiner.hpp"
+#include "libcleave/frames/joiner.hpp"
 
 #include <dds/dds.h>
 #include <gtest/gtest.h>
