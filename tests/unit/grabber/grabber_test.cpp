@@ -32,7 +32,14 @@ class GrabberLoop : public testing::Test {
  protected:
   std::future<Ending> start(std::optional<std::uint32_t> window = {},
                             std::optional<std::uint64_t> frames = {}) {
-    const GrabberOptions options{sensor, "test_optical", 240, window, frames};
+    GrabberOptions options;
+    options.sensor = sensor;
+    options.coordinate_frame = "test_optical";
+    options.parent_frame = "robot";
+    options.pose = {{1, 2, 3}, {0, 0, 0, 1}};
+    options.fps = 240;
+    options.window = window;
+    options.max_frames = frames;
     return std::async(std::launch::async, [this, options] {
       Grabber grabber(options, stream_, *source_, shutdown_);
       return grabber.run();
