@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points and labels together, in place: finds the highest point (smallest y) of every segment
-// without copying a cloud. The joiner pairs each cloud with its label map, both in shared memory.
+// without copying a cloud. A frame is a cloud and its label map, both in shared memory, and the
+// list.
 //
 //   build/release/bin/02_points_of_a_segment [SENSOR]
 #include <algorithm>
@@ -9,13 +10,12 @@
 #include <map>
 #include <span>
 
-#include "libcleave/frames/joiner.hpp"
+#include "libcleave/frames/frame_reader.hpp"
 #include "libcleave/process/shutdown.hpp"
-#include "libcleave/wait_set.hpp"
 
 namespace {
 
-void print_highest_points(const cleave::JoinedFrame& frame) {
+void print_highest_points(const cleave::CompleteFrame& frame) {
   const std::span<const float> xyz = frame.cloud.xyz();
   const std::span<const std::uint16_t> labels = frame.labels.labels();
   std::map<std::uint16_t, float> highest;  // by label; y points down
@@ -35,22 +35,11 @@ int main(int argc, char** argv) {
   const char* const sensor = argc > 1 ? argv[1] : "camera";
   cleave::Shutdown shutdown;
   cleave::Stream stream(cleave::with_environment({}));
-  cleave::CloudReader clouds(stream, sensor);
-  cleave::LabelReader labels(stream, sensor);
-  cleave::Joiner joiner;
-  cleave::WaitSet wait_set;
-  wait_set.attach(clouds);
-  wait_set.attach(labels);
-  shutdown.on_request([&] { wait_set.wake(); });
+  cleave::FrameReader frames(stream, sensor);
+  shutdown.on_request([&] { frames.wake(); });
 
   while (!shutdown.requested()) {
-    wait_set.wait(std::chrono::seconds(1));
-    while (auto cloud = clouds.take()) {
-      if (const auto frame = joiner.add(std::move(*cloud))) print_highest_points(*frame);
-    }
-    while (auto map = labels.take()) {
-      if (const auto frame = joiner.add(std::move(*map))) print_highest_points(*frame);
-    }
+    if (const auto frame = frames.next(std::chrono::seconds(1))) print_highest_points(*frame);
   }
   return 0;
 }

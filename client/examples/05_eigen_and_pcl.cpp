@@ -10,16 +10,15 @@
 #include <cstdio>
 #include <span>
 
-#include "libcleave/frames/joiner.hpp"
+#include "libcleave/frames/frame_reader.hpp"
 #include "libcleave/process/shutdown.hpp"
-#include "libcleave/wait_set.hpp"
 
 namespace {
 
 // A column a point, in the memory that the grabber wrote.
 using Points = Eigen::Map<const Eigen::Matrix3Xf>;
 
-pcl::PointCloud<pcl::PointXYZL> points_of(const cleave::JoinedFrame& frame, std::uint16_t label) {
+pcl::PointCloud<pcl::PointXYZL> points_of(const cleave::CompleteFrame& frame, std::uint16_t label) {
   const std::span<const std::uint16_t> labels = frame.labels.labels();
   const Points points(frame.cloud.xyz().data(), 3, static_cast<Eigen::Index>(labels.size()));
   pcl::PointCloud<pcl::PointXYZL> segment;
@@ -37,27 +36,15 @@ int main(int argc, char** argv) {
   const char* const sensor = argc > 1 ? argv[1] : "camera";
   cleave::Shutdown shutdown;
   cleave::Stream stream(cleave::with_environment({}));
-  cleave::CloudReader clouds(stream, sensor);
-  cleave::LabelReader labels(stream, sensor);
-  cleave::Joiner joiner;
-  cleave::WaitSet wait_set;
-  wait_set.attach(clouds);
-  wait_set.attach(labels);
-  shutdown.on_request([&] { wait_set.wake(); });
+  cleave::FrameReader frames(stream, sensor);
+  shutdown.on_request([&] { frames.wake(); });
 
-  const auto print = [](const cleave::JoinedFrame& frame) {
-    const auto object = points_of(frame, 2);
-    std::printf("frame %llu: segment 2 has %zu points\n",
-                static_cast<unsigned long long>(frame.cloud.header().frame_id), object.size());
-  };
   while (!shutdown.requested()) {
-    wait_set.wait(std::chrono::seconds(1));
-    while (auto cloud = clouds.take()) {
-      if (const auto frame = joiner.add(std::move(*cloud))) print(*frame);
-    }
-    while (auto map = labels.take()) {
-      if (const auto frame = joiner.add(std::move(*map))) print(*frame);
-    }
+    const auto frame = frames.next(std::chrono::seconds(1));
+    if (!frame) continue;
+    const auto object = points_of(*frame, 2);
+    std::printf("frame %llu: segment 2 has %zu points\n",
+                static_cast<unsigned long long>(frame->cloud.header().frame_id), object.size());
   }
   return 0;
 }

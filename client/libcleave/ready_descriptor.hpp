@@ -50,9 +50,10 @@ class ReadyDescriptor {
   // Until the descriptor is readable, or `timeout` is over (a negative one never is), or a signal's
   // handler ran. True if it is readable.
   [[nodiscard]] bool wait(std::chrono::milliseconds timeout) const;
+  // Makes the descriptor readable. From any thread.
+  void raise() const;
 
  private:
-  void raise() const;
   void drain() const;
   int descriptor_;
 };

@@ -38,12 +38,18 @@ std::optional<CompleteFrame> FrameReader::next(std::chrono::milliseconds timeout
   const Clock::time_point start = Clock::now();
   for (;;) {
     if (auto frame = ready_.take([this] { return take(); })) return frame;
+    if (woken_.exchange(false)) return std::nullopt;  // taking may have drained what woke us
     const auto waited = std::chrono::duration_cast<milliseconds>(Clock::now() - start);
     const milliseconds left =
         for_ever ? milliseconds(-1) : std::max(timeout - waited, milliseconds(0));
     if (!ready_.wait(left)) return std::nullopt;
     if (left.count() == 0) return std::nullopt;
   }
+}
+
+void FrameReader::wake() {
+  woken_ = true;
+  ready_.raise();
 }
 
 }  // namespace cleave

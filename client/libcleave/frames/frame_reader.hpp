@@ -5,6 +5,7 @@
 //   while (const auto frame = frames.next(std::chrono::seconds(5))) use(*frame);
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -19,8 +20,8 @@
 
 namespace cleave {
 
-// From one thread. A frame's samples must not outlive this; while one is held, two chunks are out
-// of the pool, so hold few.
+// From one thread, but for wake(). A frame's samples must not outlive this; while one is held, two
+// chunks are out of the pool, so hold few.
 class FrameReader {
  public:
   // `stream` outlives this. Throws std::runtime_error.
@@ -28,9 +29,11 @@ class FrameReader {
 
   // The oldest frame whose cloud, label map and segment list are all here; else the first that
   // comes before `timeout` is over (a negative one never is). Empty: none came, or a signal's
-  // handler ran. Frames that are not fetched in time are given up, as are those of which a part was
-  // lost: what comes out is in order, but may have gaps.
+  // handler ran, or wake() was called. Frames that are not fetched in time are given up, as are
+  // those of which a part was lost: what comes out is in order, but may have gaps.
   [[nodiscard]] std::optional<CompleteFrame> next(std::chrono::milliseconds timeout);
+  // Ends the current next(), or the one to come. From any thread.
+  void wake();
 
   // Readable while a frame may be complete, for poll(). Call next(0ms) until it is empty, which
   // makes it unreadable again.
@@ -49,6 +52,7 @@ class FrameReader {
   LabelReader labels_;
   ListReader lists_;
   FrameJoiner joiner_;
+  std::atomic<bool> woken_ = false;
 };
 
 }  // namespace cleave

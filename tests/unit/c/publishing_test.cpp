@@ -77,6 +77,27 @@ TEST_F(PublisherOfC, TakesALoanBackThatIsNotPublished) {
   ASSERT_EQ(cleave_loan(publisher_, &first, &count), CLEAVE_OK);  // closed with a loan out
 }
 
+TEST_F(PublisherOfC, LendsRoomForTheLargestCamera) {
+  cleave_publisher_close(publisher_);
+  cleave_camera settings = camera();
+  settings.width = 1600;
+  settings.height = 1200;
+  ASSERT_EQ(cleave_publisher_open(stream_, &settings, &publisher_), CLEAVE_OK) << cleave_error();
+  ASSERT_TRUE(test::eventually([&] { return cleave_publisher_readers(publisher_) == 1; }));
+  float* room = nullptr;
+  std::size_t count = 0;
+  ASSERT_EQ(cleave_loan(publisher_, &room, &count), CLEAVE_OK);
+  ASSERT_EQ(count, 1600U * 1200U);
+  room[3 * count - 1] = 5;
+  ASSERT_EQ(cleave_publish_loan(publisher_, 0), CLEAVE_OK);
+  ASSERT_EQ(cleave_wait(reader_, 10'000), CLEAVE_OK);
+  ASSERT_EQ(cleave_take(reader_, &sample_), CLEAVE_OK);
+  const float* xyz = nullptr;
+  ASSERT_EQ(cleave_sample_cloud(sample_, &xyz, &count), CLEAVE_OK);
+  ASSERT_EQ(count, 1600U * 1200U);
+  EXPECT_EQ(xyz[3 * count - 1], 5.0F);
+}
+
 TEST_F(PublisherOfC, RefusesAFrameOfAnotherSize) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{7}, std::size_t{9}, SIZE_MAX}) {
     const std::array<std::uint16_t, 8> depth{};
