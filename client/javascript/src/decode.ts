@@ -2,7 +2,8 @@
 // Bytes of DDS (plain CDR, either byte order) to values of the contract.
 import { type Types, schema } from "./contract.js";
 import {
-  type Basic, type Field, type TypedArray, size_of, smallest_element, struct_of, typed_array,
+  type Basic, type Field, type TypedArray, little_endian_machine, size_of, smallest_element,
+  struct_of, typed_array,
 } from "./schema.js";
 
 /** Bytes that are not a message of the type. */
@@ -11,7 +12,6 @@ export class DecodeError extends Error {
 }
 
 const header_bytes = 4;
-const little_endian_machine = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
 const utf8 = new TextDecoder();
 
 type Value = unknown;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of the contract to bytes of DDS: plain CDR, little-endian, with its encapsulation.
 import { type Types, schema } from "./contract.js";
-import { type Basic, type Field, size_of, struct_of, typed_array } from "./schema.js";
+import {
+  type Basic, type Field, little_endian_machine, size_of, struct_of, typed_array,
+} from "./schema.js";
 
 /** A value that the type does not hold; the message names the field. */
 export class EncodeError extends Error {
@@ -95,14 +97,12 @@ function write_field(sink: Sink, field: Field, value: unknown, path: string): vo
   }
   if (field.sequence !== undefined) sink.count(values.length);
   const own = typed_array[field.basic as keyof typeof typed_array];
-  const exact = own !== undefined && value instanceof own;
-  if (exact && field.basic === "uint8") {
-    sink.put(value as Uint8Array, values.length, 1);
+  if (little_endian_machine && own !== undefined && value instanceof own) {
+    const bytes = new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
+    if (bytes.length > 0) sink.put(bytes, bytes.length, own.BYTES_PER_ELEMENT);
     return;
   }
-  for (let i = 0; i < values.length; ++i) {
-    write_one(sink, field, values[i], exact ? path : `${path}[${i}]`);
-  }
+  for (let i = 0; i < values.length; ++i) write_one(sink, field, values[i], `${path}[${i}]`);
 }
 
 function write_one(sink: Sink, field: Field, value: unknown, path: string): void {

@@ -28,6 +28,8 @@ export interface Schema {
   enums: Record<string, [word: string, value: number][]>;
 }
 
+export const little_endian_machine = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
+
 export const size_of: Record<Exclude<Basic, "string">, number> = {
   int8: 1, uint8: 1, bool: 1, int16: 2, uint16: 2, int32: 4, uint32: 4, float32: 4,
   int64: 8, uint64: 8, float64: 8,

@@ -20,16 +20,20 @@ const topic_of = (sensor: string): Topic => ({
   name: `cleave/${sensor}/segments`, type: "SegmentList", depth: 4, transient_local: false,
 });
 
-/** Counts what is missing between the frames that it is shown: ids rise by 1 within an epoch. */
+/**
+ * Counts what is missing between the frames that it is shown. A grabber's ids rise by 1 with every
+ * frame, whatever the epoch; a grabber that was restarted begins anew.
+ */
 export class FrameGaps {
   lost = 0;
-  private last: FrameHeader | undefined;
+  private last: bigint | undefined;
 
-  show(header: FrameHeader): void {
-    if (this.last?.epoch === header.epoch && header.frame_id > this.last.frame_id) {
-      this.lost += Number(header.frame_id - this.last.frame_id - 1n);
+  show(header: Pick<FrameHeader, "frame_id">): void {
+    const { frame_id } = header;
+    if (this.last !== undefined && frame_id > this.last) {
+      this.lost += Number(frame_id - this.last - 1n);
     }
-    this.last = header;
+    this.last = frame_id;
   }
 }
 
