@@ -38,7 +38,9 @@ export class Connection {
   private closed = false;
 
   /** Throws where the options are wrong; opens nothing yet. */
-  constructor(options: Options, private readonly topics: Topic[], private readonly listener: Listener) {
+  constructor(
+    options: Options, private readonly topics: Topic[], private readonly listener: Listener,
+  ) {
     this.domain = domain_of(options);
     const network = address_of(options);
     this.participant = new Participant({
@@ -86,8 +88,9 @@ export class Connection {
     await Promise.all(this.sockets.map((socket) => socket.close()));
   }
 
-  private receive({ publication, subscription: { topicName }, writerSeqNumber, serializedData }: UserData): void {
-    const topic = this.topics.find((each) => each.name === topicName);
+  private receive(data: UserData): void {
+    const { publication, serializedData } = data;
+    const topic = this.topics.find((each) => each.name === publication.topicName);
     if (this.closed || topic === undefined || tells_of_an_end(serializedData)) return;
     const writer = `${publication.guidPrefix}${publication.entityId}`;
     let order = this.orders.get(writer);
@@ -95,7 +98,7 @@ export class Connection {
       order = new InOrder((bytes) => this.listener.sample(topic, bytes));
       this.orders.set(writer, order);
     }
-    order.push(writerSeqNumber, serializedData);
+    order.push(data.writerSeqNumber, serializedData);
   }
 }
 

@@ -46,7 +46,9 @@ export function address_of(options: Options): Address {
       there.push(`${name} (${address})`);
     }
   }
-  throw new Error(`no network interface '${wanted}' with an IPv4 address; there are ${there.join(", ")}`);
+  throw new Error(
+    `no network interface '${wanted}' with an IPv4 address; there are ${there.join(", ")}`,
+  );
 }
 
 export function timeout_of(options: Options): number | undefined {

@@ -80,9 +80,14 @@ class SegmentReading extends Reading<SegmentList> implements SegmentStream {
   protected override late(): string {
     const { domain, malformed } = this.connection;
     const nodes = [...this.nodes.values()].map(({ node, state }) => `${node} (${state})`).sort();
-    let text = `no segment list of sensor '${this.sensor}' on domain ${domain} for ${this.timeout_ms} ms: `;
-    if (nodes.length === 0) text += this.unreadable?.message ?? nobody_answers;
-    else text += `there are ${nodes.join(", ")}: is it the right sensor, and does \`cleave status\` say why?`;
+    const where = `sensor '${this.sensor}' on domain ${domain}`;
+    let text = `no segment list of ${where} for ${this.timeout_ms} ms: `;
+    if (nodes.length === 0) {
+      text += this.unreadable?.message ?? nobody_answers;
+    } else {
+      text += `there are ${nodes.join(", ")}: is it the right sensor, ` +
+        "and does `cleave status` say why?";
+    }
     if (malformed > 0) text += ` (${malformed} messages were not understood)`;
     return text;
   }
@@ -93,9 +98,10 @@ class SegmentReading extends Reading<SegmentList> implements SegmentStream {
       const status = status_of(bytes);
       this.nodes.set(status.node, status);
     } catch (error) {
-      this.unreadable = error as Error;
-      const ours = [`segmenter/${this.sensor} `, `grabber/${this.sensor} `];
-      if (ours.some((node) => this.unreadable?.message.startsWith(node))) this.fail(error);
+      if (!(error instanceof ContractError)) throw error;
+      this.unreadable = error;
+      const ours = [`segmenter/${this.sensor}`, `grabber/${this.sensor}`];
+      if (error.node !== undefined && ours.includes(error.node)) this.fail(error);
     }
   }
 }

@@ -62,15 +62,18 @@ export class Socket implements UdpSocket {
     return undefined;
   }
 
-  async send(data: Uint8Array, offset: number, length: number, port: number, address: string): Promise<void> {
+  async send(
+    data: Uint8Array, offset: number, length: number, port: number, address: string,
+  ): Promise<void> {
+    const datagram = data.subarray(offset, offset + length);
     if (!this.network.loopback || address !== group) {
-      await this.send_to(data.subarray(offset, offset + length), port, address);
+      await this.send_to(datagram, port, address);
       return;
     }
     const sent: Promise<void>[] = [];
     for (let i = 0; i < participants; ++i) {
       const peer = port + first_unicast_offset + 2 * i;
-      sent.push(this.send_to(data.subarray(offset, offset + length), peer, this.network.address));
+      sent.push(this.send_to(datagram, peer, this.network.address));
     }
     await Promise.all(sent);
   }

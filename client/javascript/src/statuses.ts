@@ -26,6 +26,7 @@ export function status_of(bytes: Uint8Array): NodeStatus {
     throw new ContractError(
       `${status.node} speaks the contract ${status.contract}, this package ${contract}: ` +
       "install the cleave-client of the node's version",
+      { node: status.node },
     );
   }
   return status;
@@ -56,7 +57,8 @@ class StatusReading extends Reading<NodeStatus> {
     return status_of(bytes);
   }
   protected override late(): string {
-    return `no status on domain ${this.connection.domain} for ${this.timeout_ms} ms: ${nobody_answers}`;
+    const { domain } = this.connection;
+    return `no status on domain ${domain} for ${this.timeout_ms} ms: ${nobody_answers}`;
   }
 }
 

@@ -6,6 +6,8 @@ import { test } from "node:test";
 import { promisify } from "node:util";
 
 import { segments, status, statuses } from "../dist/index.js";
+import { Socket } from "../dist/socket.js";
+import { MessageView } from "../dist/vendor/rtps.js";
 
 const domain = 99;
 
@@ -47,6 +49,18 @@ test("return() ends what waits", async () => {
   const asked = reading.next();
   setTimeout(() => void reading.return(), 20);
   assert.deepEqual(await asked, { done: true, value: undefined });
+});
+
+test("a datagram that is not RTPS ends nothing", async () => {
+  const socket = new Socket({ address: "127.0.0.1", loopback: true });
+  await socket.bind({});
+  const { port } = await socket.localAddress();
+  socket.on("message", (data) => new MessageView(data));
+  const said = new Promise((resolve) => socket.on("error", resolve));
+  await socket.send(new Uint8Array(3), 0, 3, port, "127.0.0.1");
+  assert.match((await said).message, /invalid RTPS message/);
+  await socket.close();
+  await socket.send(new Uint8Array(3), 0, 3, port, "127.0.0.1");
 });
 
 test("what is wrong is refused at once, by name", () => {
