@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class McapInterop : public testing::Test {
  protected:
   void SetUp() override {
-    install_npm_packages(folder_);
+    install_npm_packages(CLEAVE_MCAP_INTEROP, folder_);
     for (const char* const script : {"read_all.mjs", "compare_records.mjs"}) {
       fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / script, folder_ / script,
                     fs::copy_options::overwrite_existing);

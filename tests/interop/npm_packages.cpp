@@ -10,9 +10,8 @@ namespace cleave::test {
 
 namespace fs = std::filesystem;
 
-void install_npm_packages(const fs::path& folder) {
+void install_npm_packages(const fs::path& source, const fs::path& folder) {
   const fs::path lock = folder / "package-lock.json";
-  const fs::path source(CLEAVE_MCAP_INTEROP);
   if (fs::exists(folder / "node_modules" / ".package-lock.json") &&
       recording::read_all(lock) == recording::read_all(source / "package-lock.json")) {
     return;
@@ -24,7 +23,8 @@ void install_npm_packages(const fs::path& folder) {
   Process npm(
       {"/usr/bin/env", "npm", "ci", "--no-audit", "--no-fund", "--prefix", folder.string()});
   ASSERT_EQ(npm.wait(std::chrono::minutes(3)), 0)
-      << "npm cannot install MCAP's reader (is its registry reachable?): " << npm.log();
+      << "npm cannot install the packages of " << source / "package-lock.json"
+      << " (is its registry reachable?): " << npm.log();
 }
 
 }  // namespace cleave::test

@@ -6,7 +6,8 @@
 
 namespace cleave::test {
 
-// Installs the packages of mcap/package-lock.json into `folder`, once. A failure fails the test.
-void install_npm_packages(const std::filesystem::path& folder);
+// Installs the packages of package-lock.json in `source` into `folder`, once. A failure fails the
+// test.
+void install_npm_packages(const std::filesystem::path& source, const std::filesystem::path& folder);
 
 }  // namespace cleave::test

@@ -49,7 +49,7 @@ class RosBag : public testing::Test {
  protected:
   void SetUp() override {
     const fs::path packages = CLEAVE_MCAP_MODULES;
-    install_npm_packages(packages);
+    install_npm_packages(CLEAVE_MCAP_INTEROP, packages);
     const fs::path script = packages / "write_ros_bag.mjs";
     fs::copy_file(fs::path(CLEAVE_MCAP_INTEROP) / "write_ros_bag.mjs", script,
                   fs::copy_options::overwrite_existing);
