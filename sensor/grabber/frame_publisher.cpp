@@ -7,8 +7,8 @@
 
 namespace cleave::sensor {
 
-FramePublisher::FramePublisher(Stream& stream, const std::string& sensor,
-                               const Place& place, WriterDepth depth)
+FramePublisher::FramePublisher(Stream& stream, const std::string& sensor, const Place& place,
+                               WriterDepth depth)
     : writer_(stream, sensor, depth), header_{} {
   if (!set_name(header_.sensor, sensor) ||
       !set_name(header_.coordinate_frame, place.coordinate_frame) ||

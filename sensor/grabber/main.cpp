@@ -27,7 +27,8 @@ StreamOptions stream_options(const config::StreamConfig& config) {
 
 GrabberOptions grabber_options(const Settings& settings) {
   const config::GrabberConfig& config = settings.config;
-  const auto& [position, orientation] = std::tie(config.calibration.position, config.calibration.orientation);
+  const auto& [position, orientation] =
+      std::tie(config.calibration.position, config.calibration.orientation);
   GrabberOptions options;
   options.sensor = config.sensor;
   options.coordinate_frame = coordinate_frame_of(config);
@@ -67,9 +68,8 @@ int run(int argc, char** argv) {
                             recording::GapLimit(config.max_gap_s)};
     const config::CalibrationConfig& known = config.calibration;
     const Calibration calibration{{known.fx, known.fy, known.cx, known.cy}, known.depth_scale};
-    return run(settings,
-               make_source(config.source, mode, playback, {config.decimate, calibration}), options,
-               argv);
+    return run(settings, make_source(config.source, mode, playback, {config.decimate, calibration}),
+               options, argv);
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
     return exit_wrong_usage;

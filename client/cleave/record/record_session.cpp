@@ -3,7 +3,6 @@
 
 #include <spdlog/spdlog.h>
 
-
 #include "cleave/stream/contract_frames.hpp"
 #include "recording/error.hpp"
 

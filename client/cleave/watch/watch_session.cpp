@@ -132,8 +132,8 @@ std::optional<DepthImage> WatchSession::last_image() const {
       header.height != labels.header().height) {
     return std::nullopt;
   }
-  return depth_image(
-      {.xyz = cloud.xyz().data(), .width = header.width, .height = header.height}, labels.labels());
+  return depth_image({.xyz = cloud.xyz().data(), .width = header.width, .height = header.height},
+                     labels.labels());
 }
 
 }  // namespace cleave::client

@@ -4,7 +4,7 @@
  * it that is nearest to the camera, read where the camera's grabber wrote it.
  *
  *   build/release/bin/c_largest_object [SENSOR [FRAMES]] */
-#include <cleave.h>
+#include "cleave.h"
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -6,7 +6,7 @@
  *   build/release/bin/c_own_camera [FRAMES] */
 #define _POSIX_C_SOURCE 200809L
 
-#include <cleave.h>
+#include "cleave.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

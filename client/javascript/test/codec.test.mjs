@@ -25,16 +25,14 @@ for (const name of small_types) {
       const value = sample(name, random);
       const bytes = encode(name, value);
       const expected = content(oracle_bytes(name, value, kinds.little));
-      assert.deepEqual(content(bytes).subarray(0, expected.length), expected);
-      assert.ok(bytes.length % 4 === 0 && bytes.length - 4 - expected.length < 4);
+      assert.deepEqual(content(bytes), expected);
       assert.deepEqual(oracle_value(name, bytes), plain(name, value));
     }
   });
 
   test(`${name} that ends early is refused at every length`, () => {
     const bytes = encode(name, sample(name, generator(3)));
-    const end = bytes.length - bytes[3];
-    for (let length = 0; length < end; ++length) {
+    for (let length = 0; length < bytes.length; ++length) {
       assert.throws(() => decode(name, bytes.subarray(0, length)), DecodeError);
     }
   });

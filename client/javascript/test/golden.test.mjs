@@ -51,8 +51,7 @@ for (const type of readdirSync(folder).filter((name) => /^[A-Z]\w+$/.test(name))
       test(`golden ${type}/${file} is written back to its bytes`, () => {
         const bytes = read(`${type}/${file}`);
         const again = encode(type, decode(type, bytes));
-        assert.ok(Buffer.from(again.subarray(4, bytes.length)).equals(bytes.subarray(4)));
-        assert.ok(again.length - bytes.length < 4);
+        assert.ok(Buffer.from(again).equals(bytes));
       });
     }
     if (!file.endsWith(".gz")) {

@@ -29,7 +29,8 @@ class BulkLoan {
   BulkLoan(RawWriter* writer, void* memory, bool large)
       : writer_(writer), memory_(memory), large_(large) {}
   BulkLoan(BulkLoan&& other) noexcept
-      : writer_(other.writer_), memory_(std::exchange(other.memory_, nullptr)),
+      : writer_(other.writer_),
+        memory_(std::exchange(other.memory_, nullptr)),
         large_(other.large_) {}
   BulkLoan& operator=(BulkLoan&& other) noexcept {
     std::swap(writer_, other.writer_);
@@ -44,14 +45,12 @@ class BulkLoan {
   [[nodiscard]] FrameHeader& header() const { return *static_cast<FrameHeader*>(memory_); }
   // Room for as many points as were asked for, and more.
   [[nodiscard]] std::span<typename Kind::Value> room() const {
-    auto* const first = reinterpret_cast<typename Kind::Value*>(
-        static_cast<std::byte*>(memory_) + Kind::offset);
+    auto* const first =
+        reinterpret_cast<typename Kind::Value*>(static_cast<std::byte*>(memory_) + Kind::offset);
     return {first, capacity_of(large_) * Kind::values_a_point};
   }
   // Once. False when DDS refused the sample (it is lost): said in the log, once a second at most.
-  [[nodiscard]] bool publish() && {
-    return writer_->publish_loan(std::exchange(memory_, nullptr));
-  }
+  [[nodiscard]] bool publish() && { return writer_->publish_loan(std::exchange(memory_, nullptr)); }
 
  protected:
   [[nodiscard]] void* memory() const { return memory_; }

@@ -17,8 +17,8 @@
 
 namespace cleave::service {
 
-// A cloud where the transport put it, which may be the writer's own memory; it stays there until the
-// last owner lets it go.
+// A cloud where the transport put it, which may be the writer's own memory; it stays there until
+// the last owner lets it go.
 struct ReceivedCloud {
   std::shared_ptr<const void> owner;
   const FrameHeader* header = nullptr;
@@ -40,7 +40,7 @@ struct FinishedFrame {
   FrameHeader header{};
   std::int64_t accepted_ns = 0;  // CLOCK_MONOTONIC
   std::optional<RejectCause> rejected;
-  FrameQueue<Frame>::Place place;     // lets the next frame in when this one, and its loan, is gone
+  FrameQueue<Frame>::Place place;  // lets the next frame in when this one, and its loan, is gone
   std::unique_ptr<LabelMemory> labels;  // empty for a rejected frame
   segmentation::Segmentation segmentation;
   float queue_ms = 0;

@@ -100,7 +100,8 @@ void FramePipeline::process(FrameQueue<Frame>::Taken taken, const SegmentFunctio
 // Reads the points, and writes the labels, where the transport has them.
 std::optional<RejectCause> FramePipeline::segment_into(FinishedFrame& finished, const Frame& frame,
                                                        const SegmentFunction& segment) {
-  const segmentation::CloudView cloud{frame.cloud.room.data(), 3, frame.header.width, frame.header.height};
+  const segmentation::CloudView cloud{frame.cloud.room.data(), 3, frame.header.width,
+                                      frame.header.height};
   const std::span<std::uint16_t> labels = finished.labels->room().first(cloud.size());
   if (settings_.check_unit && has_wrong_unit(frame, cloud)) return RejectCause::wrong_unit;
   const auto rejected = reject_cause(segment(cloud, labels, finished.segmentation));

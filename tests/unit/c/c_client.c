@@ -4,7 +4,7 @@
  * is as it should be, and else says what is not. */
 #define _POSIX_C_SOURCE 200809L
 
-#include <cleave.h>
+#include "cleave.h"
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>

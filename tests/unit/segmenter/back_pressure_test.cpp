@@ -64,7 +64,8 @@ TEST_P(BackPressure, SegmentsNoFrameThatIsOlderThanTheQueueIsLongHoweverManyCome
   pipeline.accept(received(cloud(++newest), true));
   (void)slow.wait_until_busy();
   for (std::uint64_t done = 0; done < segmented; ++done) {
-    for (std::uint64_t i = 0; i < frames_during_one; ++i) pipeline.accept(received(cloud(++newest), true));
+    for (std::uint64_t i = 0; i < frames_during_one; ++i)
+      pipeline.accept(received(cloud(++newest), true));
     expect_balanced(pipeline.counts());
     slow.finish(1);
     EXPECT_EQ(slow.wait_until_busy(), newest - capacity + 1) << "not the oldest that may wait";

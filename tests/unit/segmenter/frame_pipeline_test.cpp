@@ -142,7 +142,8 @@ TEST(FramePipeline, RejectsAFrameInMillimetresAndSaysWhatItSaw) {
   FakeSink sink;
   FramePipeline pipeline({"camera", Mode::lossless, 8}, sink, random_workers(1));
 
-  for (const auto& frame : {cloud(1), slope_in_millimetres(2)}) pipeline.accept(received(frame, false));
+  for (const auto& frame : {cloud(1), slope_in_millimetres(2)})
+    pipeline.accept(received(frame, false));
   pipeline.drain();
 
   ASSERT_EQ(sink.lists.size(), 2U);
