@@ -36,6 +36,9 @@ std::string network_xml(const std::string& interface) {
   if (loopback) xml += "<Peers><Peer address=\"127.0.0.1\"/></Peers>";
   xml +=
       "</Discovery><Internal><SocketReceiveBufferSize min=\"default\" max=\"4MB\"/></Internal>"
+      // Every QoS is announced: there are clients that do not know what a missing one means.
+      "<Compatibility><ExplicitlyPublishQosSetToDefault>true</ExplicitlyPublishQosSetToDefault>"
+      "</Compatibility>"
       "<Tracing><Verbosity>warning</Verbosity><OutputFile>stderr</OutputFile></Tracing>";
   return xml;
 }

@@ -23,8 +23,8 @@ void install_npm_packages(const fs::path& source, const fs::path& folder) {
   Process npm(
       {"/usr/bin/env", "npm", "ci", "--no-audit", "--no-fund", "--prefix", folder.string()});
   ASSERT_EQ(npm.wait(std::chrono::minutes(3)), 0)
-      << "npm cannot install the packages of " << source / "package-lock.json"
-      << " (is its registry reachable?): " << npm.log();
+      << "npm cannot install what " << source
+      << " names (is its registry reachable?): " << npm.log();
 }
 
 }  // namespace cleave::test

@@ -6,7 +6,7 @@
 
 namespace cleave::test {
 
-// Installs the packages of package-lock.json in `source` into `folder`, once. A failure fails the
+// Installs the packages of `source`/package-lock.json into `folder`, once. A failure fails the
 // test.
 void install_npm_packages(const std::filesystem::path& source, const std::filesystem::path& folder);
 

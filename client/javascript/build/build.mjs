@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types from the contract, then tsc, then what is bundled: dist/ is the package.
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { bundleRtps } from "./bundle_rtps.mjs";
+import { bundle_rtps } from "./bundle_rtps.mjs";
 import { generate } from "./generate.mjs";
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
@@ -18,6 +18,7 @@ mkdirSync(join(dist, "vendor"), { recursive: true });
 writeFileSync(join(root, "src", "contract.ts"), generate(readFileSync(idl, "utf8")));
 copyFileSync(idl, join(dist, "cleave_v1.idl"));
 copyFileSync(join(repository, "LICENSE"), join(root, "LICENSE"));
-await bundleRtps(root, join(dist, "vendor", "rtps.js"));
-execFileSync(process.execPath, [join(root, "node_modules", "typescript", "bin", "tsc"), "-p", root],
-  { stdio: "inherit" });
+await bundle_rtps(root, join(dist, "vendor", "rtps.js"));
+const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
+const { status } = spawnSync(process.execPath, [tsc, "-p", root], { stdio: "inherit" });
+process.exitCode = status ?? 1;

@@ -16,7 +16,7 @@ const changes = {
   ],
 };
 
-export async function bundleRtps(root, outfile) {
+export async function bundle_rtps(root, outfile) {
   const require = createRequire(join(root, "package.json"));
   const rtps = dirname(dirname(require.resolve("@foxglove/rtps")));
   const applied = new Set();
@@ -27,7 +27,9 @@ export async function bundleRtps(root, outfile) {
         const file = path.slice(rtps.length + 1);
         let contents = readFileSync(path, "utf8");
         for (const [from, to] of changes[file] ?? []) {
-          if (!contents.includes(from)) throw new Error(`${path} has no "${from}": another version?`);
+          if (!contents.includes(from)) {
+            throw new Error(`${path} has no "${from}": another version?`);
+          }
           contents = contents.replace(from, to);
           applied.add(file);
         }
@@ -52,8 +54,9 @@ function licences(root, inputs) {
     /^.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(file)?.[0]).filter(Boolean));
   let text = "rtps.js holds these packages:\n";
   for (const folder of [...folders].sort()) {
-    const { name, version, license } = JSON.parse(readFileSync(join(root, folder, "package.json"), "utf8"));
-    text += `\n---- ${name} ${version} (${license})\n\n${readFileSync(join(root, folder, "LICENSE"), "utf8")}`;
+    const read = (file) => readFileSync(join(root, folder, file), "utf8");
+    const { name, version, license } = JSON.parse(read("package.json"));
+    text += `\n---- ${name} ${version} (${license})\n\n${read("LICENSE")}`;
   }
   return text;
 }

@@ -20,7 +20,7 @@ function comments(idl) {
 
 const last = (name) => name.split("::").at(-1);
 
-function fieldOf(definition, struct) {
+function field_of(definition, struct) {
   const { name, type, arrayLengths, isArray } = definition;
   const refuse = (what) => {
     throw new Error(`${struct}.${name}: ${what} is not supported by this package's codec`);
@@ -44,7 +44,7 @@ const typed_arrays = {
   int64: "BigInt64Array", uint64: "BigUint64Array",
 };
 
-function typeOf(field) {
+function type_of(field) {
   if (field.text) return "string";
   const many = field.length !== undefined || field.sequence !== undefined;
   if (many && typed_arrays[field.basic]) return typed_arrays[field.basic];
@@ -56,36 +56,45 @@ function typeOf(field) {
   return many ? `${one}[]` : one;
 }
 
+// The parser makes one a module of constants.
+function is_enumeration({ aggregatedKind, definitions }) {
+  return aggregatedKind === "module" &&
+    definitions.every(({ type, isConstant }) => type === "uint32" && isConstant);
+}
+
 export function generate(idl) {
   // The parser makes char and octet one type, and text is not bytes. The contract has no wchar.
   const definitions = parseIDL(idl.replace(/\/\/.*$/gm, "").replace(/\bchar\b/g, "wchar"));
   const notes = comments(idl);
   const structs = {}, enums = {};
-  let out = "// SPDX-License-Identifier: BSD-3-Clause\n// Generated from the contract's IDL by build/generate.mjs: change that.\n";
-  out += 'import type { Schema } from "./schema.js";\n\n';
+  let out = "// SPDX-License-Identifier: BSD-3-Clause\n" +
+    "// Generated from the contract's IDL by build/generate.mjs: change that.\n" +
+    'import type { Schema } from "./schema.js";\n\n';
   for (const definition of definitions) {
     const name = last(definition.name);
     if (definition.aggregatedKind === "struct") {
-      const fields = definition.definitions.map((each) => fieldOf(each, name));
-      structs[name] = { keyed: definition.definitions.some((each) => each.annotations?.key), fields };
+      const fields = definition.definitions.map((each) => field_of(each, name));
+      const keyed = definition.definitions.some((each) => each.annotations?.key !== undefined);
+      structs[name] = { keyed, fields };
       out += `export interface ${name} {\n`;
       for (const field of fields) {
         const note = notes[`${name}.${field.name}`];
         if (note) out += `  /** ${note.replace("*/", "")} */\n`;
-        out += `  ${field.name}: ${typeOf(field)};\n`;
+        out += `  ${field.name}: ${type_of(field)};\n`;
       }
       out += "}\n\n";
-    } else if (definition.aggregatedKind === "module" && definition.definitions.every((each) => each.type === "uint32" && each.isConstant)) {
+    } else if (is_enumeration(definition)) {
       enums[name] = definition.definitions.map((each) => [each.name, Number(each.value)]);
       out += `export type ${name} = ${enums[name].map(([word]) => `"${word}"`).join(" | ")};\n\n`;
     } else {
-      throw new Error(`${definition.name}: a ${definition.aggregatedKind} is not supported by this package's codec`);
+      throw new Error(`${definition.name}: this package's codec has no ${definition.aggregatedKind}`);
     }
   }
   const module = definitions[0].name.split("::").slice(0, -1);
   out += "/** Every type of the contract, by its name. */\nexport interface Types {\n";
   out += Object.keys(structs).map((name) => `  ${name}: ${name};\n`).join("") + "}\n\n";
-  out += `/** The version of the contract that this package speaks. */\nexport const contract = "${module.join("_")}";\n\n`;
-  out += `export const schema: Schema = ${JSON.stringify({ module: module.join("::"), structs, enums }, null, 1)};\n`;
-  return out;
+  out += "/** The version of the contract that this package speaks. */\n";
+  out += `export const contract = "${module.join("_")}";\n\n`;
+  const table = { module: module.join("::"), structs, enums };
+  return `${out}export const schema: Schema = ${JSON.stringify(table, null, 1)};\n`;
 }

@@ -89,8 +89,8 @@ export class Connection {
   }
 
   private receive(data: UserData): void {
-    const { publication, serializedData } = data;
-    const topic = this.topics.find((each) => each.name === publication.topicName);
+    const { publication, subscription, writerSeqNumber, serializedData } = data;
+    const topic = this.topics.find((each) => each.name === subscription.topicName);
     if (this.closed || topic === undefined || tells_of_an_end(serializedData)) return;
     const writer = `${publication.guidPrefix}${publication.entityId}`;
     let order = this.orders.get(writer);
@@ -98,7 +98,7 @@ export class Connection {
       order = new InOrder((bytes) => this.listener.sample(topic, bytes));
       this.orders.set(writer, order);
     }
-    order.push(data.writerSeqNumber, serializedData);
+    order.push(writerSeqNumber, serializedData);
   }
 }
 

@@ -2,8 +2,8 @@
 // Bytes of DDS (plain CDR, either byte order) to values of the contract.
 import { type Types, schema } from "./contract.js";
 import {
-  type Basic, type Field, type TypedArray, little_endian_machine, size_of, smallest_element,
-  struct_of, typed_array,
+  type Basic, type Field, type TypedArray, size_of, smallest_element, struct_of, to_byte_order,
+  typed_array,
 } from "./schema.js";
 
 /** Bytes that are not a message of the type. */
@@ -12,7 +12,7 @@ export class DecodeError extends Error {
 }
 
 const header_bytes = 4;
-const utf8 = new TextDecoder();
+const utf8 = new TextDecoder("utf-8", { ignoreBOM: true });  // else it takes one away
 
 type Value = unknown;
 
@@ -153,9 +153,8 @@ function read_numbers(
   cursor: Cursor, basic: keyof typeof typed_array, count: number, path: string,
 ): TypedArray {
   const size = size_of[basic];
+  if (count === 0) return new typed_array[basic](0);  // which is not aligned
   const bytes = cursor.slice(count * size, size, path).slice();
-  if (size > 1 && cursor.little !== little_endian_machine) {
-    for (let i = 0; i < bytes.length; i += size) bytes.subarray(i, i + size).reverse();
-  }
+  to_byte_order(bytes, size, cursor.little);
   return new typed_array[basic](bytes.buffer, 0, count);
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the contract to bytes of DDS: plain CDR, little-endian, with its encapsulation.
+// Values of the contract to bytes of DDS: plain CDR with its encapsulation.
 import { type Types, schema } from "./contract.js";
-import {
-  type Basic, type Field, little_endian_machine, size_of, struct_of, typed_array,
-} from "./schema.js";
+import { type Basic, type Field, size_of, struct_of, to_byte_order, typed_array } from "./schema.js";
 
 /** A value that the type does not hold; the message names the field. */
 export class EncodeError extends Error {
@@ -21,9 +19,11 @@ const ranges: Partial<Record<Basic, [number | bigint, number | bigint]>> = {
  * The bytes of `value`, as they travel: what decode() reads. Throws an EncodeError when a field is
  * missing or holds what the contract's type does not.
  */
-export function encode<Name extends keyof Types>(type: Name, value: Types[Name]): Uint8Array {
+export function encode<Name extends keyof Types>(
+  type: Name, value: Types[Name], byte_order: "little" | "big" = "little",
+): Uint8Array {
   struct_of(schema, type);
-  const sink = new Sink();
+  const sink = new Sink(byte_order === "little");
   write_struct(sink, type, value, type);
   return sink.finish();
 }
@@ -32,6 +32,8 @@ class Sink {
   private bytes = new Uint8Array(1024);
   view = new DataView(this.bytes.buffer, 4);
   private at = 0;
+
+  constructor(readonly little: boolean) {}
 
   /** Where `size` bytes of the alignment begin, zeroed. */
   room(size: number, alignment: number): number {
@@ -53,12 +55,11 @@ class Sink {
 
   count(value: number): void {
     const at = this.room(4, 4);
-    this.view.setUint32(at, value, true);
+    this.view.setUint32(at, value, this.little);
   }
 
-  // Ends with the last value: RTPS fills up the last word, the contract's golden files do not.
   finish(): Uint8Array {
-    this.bytes[1] = 1;
+    this.bytes[1] = this.little ? 1 : 0;
     return this.bytes.slice(0, 4 + this.at);
   }
 }
@@ -94,9 +95,8 @@ function write_field(sink: Sink, field: Field, value: unknown, path: string): vo
   }
   if (field.sequence !== undefined) sink.count(values.length);
   const own = typed_array[field.basic as keyof typeof typed_array];
-  if (little_endian_machine && own !== undefined && value instanceof own) {
-    const bytes = new Uint8Array(value.buffer, value.byteOffset, value.byteLength);
-    if (bytes.length > 0) sink.put(bytes, bytes.length, own.BYTES_PER_ELEMENT);
+  if (own !== undefined && value instanceof own && value.length > 0) {
+    write_numbers(sink, value, value.BYTES_PER_ELEMENT);
     return;
   }
   for (let i = 0; i < values.length; ++i) write_one(sink, field, values[i], `${path}[${i}]`);
@@ -107,6 +107,12 @@ function write_one(sink: Sink, field: Field, value: unknown, path: string): void
   else if (field.enum !== undefined) write_word(sink, field.enum, value, path);
   else if (field.basic === "string") write_string(sink, value, path);
   else if (field.basic !== undefined) write_number(sink, field.basic, value, path);
+}
+
+function write_numbers(sink: Sink, numbers: ArrayBufferView, size: number): void {
+  const bytes = new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength).slice();
+  to_byte_order(bytes, size, sink.little);
+  sink.put(bytes, bytes.length, size);
 }
 
 function write_word(sink: Sink, name: string, value: unknown, path: string): void {
@@ -146,19 +152,19 @@ function write_number(
 ): void {
   check_number(basic, value, path);
   const at = sink.room(size_of[basic], size_of[basic]);
-  const { view } = sink;
+  const { view, little } = sink;
   switch (basic) {
     case "int8": return view.setInt8(at, value as number);
     case "uint8": return view.setUint8(at, value as number);
     case "bool": return view.setUint8(at, value === true ? 1 : 0);
-    case "int16": return view.setInt16(at, value as number, true);
-    case "uint16": return view.setUint16(at, value as number, true);
-    case "int32": return view.setInt32(at, value as number, true);
-    case "uint32": return view.setUint32(at, value as number, true);
-    case "int64": return view.setBigInt64(at, value as bigint, true);
-    case "uint64": return view.setBigUint64(at, value as bigint, true);
-    case "float32": return view.setFloat32(at, value as number, true);
-    case "float64": return view.setFloat64(at, value as number, true);
+    case "int16": return view.setInt16(at, value as number, little);
+    case "uint16": return view.setUint16(at, value as number, little);
+    case "int32": return view.setInt32(at, value as number, little);
+    case "uint32": return view.setUint32(at, value as number, little);
+    case "int64": return view.setBigInt64(at, value as bigint, little);
+    case "uint64": return view.setBigUint64(at, value as bigint, little);
+    case "float32": return view.setFloat32(at, value as number, little);
+    case "float64": return view.setFloat64(at, value as number, little);
   }
 }
 

@@ -5,7 +5,10 @@ import { networkInterfaces } from "node:os";
 export interface Options {
   /** DDS domain, 0 to 99; else the environment's CLEAVE_DOMAIN, else 0. */
   domain?: number;
-  /** Network interface, by name or IPv4 address: the daemons' `public_interface`. "lo". */
+  /**
+   * Network interface, by name or IPv4 address: the daemons' `public_interface`; else the
+   * environment's CLEAVE_INTERFACE, else "lo".
+   */
   interface?: string;
   /** Ends the reading: what waits throws the signal's reason. */
   signal?: AbortSignal;

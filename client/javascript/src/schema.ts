@@ -28,8 +28,6 @@ export interface Schema {
   enums: Record<string, [word: string, value: number][]>;
 }
 
-export const little_endian_machine = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
-
 export const size_of: Record<Exclude<Basic, "string">, number> = {
   int8: 1, uint8: 1, bool: 1, int16: 2, uint16: 2, int32: 4, uint32: 4, float32: 4,
   int64: 8, uint64: 8, float64: 8,
@@ -41,6 +39,17 @@ export const typed_array = {
   uint64: BigUint64Array,
 };
 export type TypedArray = InstanceType<(typeof typed_array)[keyof typeof typed_array]>;
+
+const little_endian_machine = new Uint8Array(new Uint16Array([1]).buffer)[0] === 1;
+
+/** To or from this machine's byte order, in place: numbers of `size` bytes each. */
+export function to_byte_order(bytes: Uint8Array, size: number, little: boolean): void {
+  if (little === little_endian_machine) return;
+  const view = Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (size === 2) view.swap16();
+  if (size === 4) view.swap32();
+  if (size === 8) view.swap64();
+}
 
 /** Fewest bytes that one element of the field takes: a length that claims more elements lies. */
 export function smallest_element(schema: Schema, field: Field): number {

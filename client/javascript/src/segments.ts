@@ -20,20 +20,16 @@ const topic_of = (sensor: string): Topic => ({
   name: `cleave/${sensor}/segments`, type: "SegmentList", depth: 4, transient_local: false,
 });
 
-/**
- * Counts what is missing between the frames that it is shown. A grabber's ids rise by 1 with every
- * frame, whatever the epoch; a grabber that was restarted begins anew.
- */
+/** Counts what is missing between the frames that it is shown: ids rise by 1 within an epoch. */
 export class FrameGaps {
   lost = 0;
-  private last: bigint | undefined;
+  private last: FrameHeader | undefined;
 
-  show(header: Pick<FrameHeader, "frame_id">): void {
-    const { frame_id } = header;
-    if (this.last !== undefined && frame_id > this.last) {
-      this.lost += Number(frame_id - this.last - 1n);
+  show(header: FrameHeader): void {
+    if (this.last?.epoch === header.epoch && header.frame_id > this.last.frame_id) {
+      this.lost += Number(header.frame_id - this.last.frame_id - 1n);
     }
-    this.last = frame_id;
+    this.last = header;
   }
 }
 
@@ -80,14 +76,10 @@ class SegmentReading extends Reading<SegmentList> implements SegmentStream {
   protected override late(): string {
     const { domain, malformed } = this.connection;
     const nodes = [...this.nodes.values()].map(({ node, state }) => `${node} (${state})`).sort();
-    const where = `sensor '${this.sensor}' on domain ${domain}`;
-    let text = `no segment list of ${where} for ${this.timeout_ms} ms: `;
-    if (nodes.length === 0) {
-      text += this.unreadable?.message ?? nobody_answers;
-    } else {
-      text += `there are ${nodes.join(", ")}: is it the right sensor, ` +
-        "and does `cleave status` say why?";
-    }
+    let text = `no segment list of sensor '${this.sensor}' on domain ${domain} ` +
+      `for ${this.timeout_ms} ms: `;
+    if (nodes.length === 0) text += this.unreadable?.message ?? nobody_answers;
+    else text += `there are ${nodes.join(", ")}: is it the right sensor? \`cleave status\` says more`;
     if (malformed > 0) text += ` (${malformed} messages were not understood)`;
     return text;
   }
@@ -98,10 +90,9 @@ class SegmentReading extends Reading<SegmentList> implements SegmentStream {
       const status = status_of(bytes);
       this.nodes.set(status.node, status);
     } catch (error) {
-      if (!(error instanceof ContractError)) throw error;
-      this.unreadable = error;
-      const ours = [`segmenter/${this.sensor}`, `grabber/${this.sensor}`];
-      if (error.node !== undefined && ours.includes(error.node)) this.fail(error);
+      this.unreadable = error as Error;
+      const ours = [`segmenter/${this.sensor} `, `grabber/${this.sensor} `];
+      if (ours.some((node) => this.unreadable?.message.startsWith(node))) this.fail(error);
     }
   }
 }

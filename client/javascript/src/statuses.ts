@@ -13,20 +13,20 @@ export const status_topic: Topic = {
 
 /** Throws a ContractError when the node, or a node that cannot be understood, is of another one. */
 export function status_of(bytes: Uint8Array): NodeStatus {
-  let status: NodeStatus & { contract?: string };
+  let status: NodeStatus;
   try {
     status = decode("NodeStatus", bytes);
   } catch (error) {
     throw new ContractError(
-      `a node's status is not of this package's contract (${contract}): ${(error as Error).message}`,
+      `a node's status is not of this package's contract (${contract}): ` +
+      (error as Error).message,
       { cause: error },
     );
   }
-  if (status.contract !== undefined && status.contract !== contract) {
+  if (status.contract !== contract) {
     throw new ContractError(
-      `${status.node} speaks the contract ${status.contract}, this package ${contract}: ` +
+      `${status.node} speaks the contract '${status.contract}', this package ${contract}: ` +
       "install the cleave-client of the node's version",
-      { node: status.node },
     );
   }
   return status;
@@ -57,8 +57,8 @@ class StatusReading extends Reading<NodeStatus> {
     return status_of(bytes);
   }
   protected override late(): string {
-    const { domain } = this.connection;
-    return `no status on domain ${domain} for ${this.timeout_ms} ms: ${nobody_answers}`;
+    return `no status on domain ${this.connection.domain} for ${this.timeout_ms} ms: ` +
+      nobody_answers;
   }
 }
 
