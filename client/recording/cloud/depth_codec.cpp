@@ -72,7 +72,7 @@ std::size_t correct(std::span<const float> points, std::span<const float> wanted
 }
 
 // Most of it is 0.
-void apply(std::span<const std::uint8_t> correction, float* xyz) {
+void apply_correction(std::span<const std::uint8_t> correction, float* xyz) {
   const std::size_t points = correction.size() / 3;
   const auto is_set = [](std::uint8_t bits) { return bits != 0; };
   auto at = correction.begin();
@@ -150,7 +150,7 @@ void decode(const DepthImage& image, std::uint32_t width, std::uint32_t height, 
   if (image.correction.size() != 3 * points) {
     throw DataError("a cloud's correction is not of its size");
   }
-  apply(image.correction, xyz);
+  apply_correction(image.correction, xyz);
 }
 
 }  // namespace cleave::recording
