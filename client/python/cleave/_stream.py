@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The process's stream: one, shared by all that is opened, left when the last of that is gone."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import threading
+import weakref
+from typing import NamedTuple
+
+from ._handles import Handle, opened
+from ._library import lib, text
+from ._structs import Options as _Options
+from .errors import BadArgument, Error
+
+
+class Options(NamedTuple):
+    """How to join; None = as the open stream has it, or the default."""
+
+    domain: int | None = None
+    shared_memory: bool | None = None
+    interface: str | None = None
+
+    def agree_with(self, others: Options) -> bool:
+        """Whether a stream joined with `others` serves these."""
+        return all(mine is None or mine == theirs for mine, theirs in zip(self, others))
+
+
+class Stream(Handle):
+    """A membership; what is opened on it keeps it."""
+
+    def __init__(self, options: Options) -> None:
+        interface = options.interface.encode() if options.interface is not None else None
+        domain = -1 if options.domain is None else options.domain
+        if not -1 <= domain <= 99:
+            raise BadArgument(f"domain {domain} is not from 0 to 99")
+        asked = _Options(domain, int(options.shared_memory is not False), interface)
+        super().__init__(opened(lib.cleave_open, ctypes.byref(asked)), lib.cleave_close, at_exit=True)
+        self.options = options._replace(shared_memory=options.shared_memory is not False)
+
+    @property
+    def domain(self) -> str:
+        """As the environment or the caller has it."""
+        asked = self.options.domain
+        return str(asked) if asked is not None else os.environ.get("CLEAVE_DOMAIN", "0")
+
+    def transport(self) -> tuple[bool, str]:
+        """Whether shared memory carries clouds and label maps, and why (or why not)."""
+        reason = ctypes.c_char_p()
+        uses = lib.cleave_uses_shared_memory(self.pointer, ctypes.byref(reason))
+        return bool(uses), text(reason.value)
+
+
+_lock = threading.Lock()
+_joined: weakref.ref[Stream] | None = None
+
+
+def join(domain: int | None, shared_memory: bool | None, interface: str | None) -> Stream:
+    """The process's stream; Error if it was joined with other options."""
+    global _joined
+    options = Options(domain, shared_memory, interface)
+    with _lock:
+        stream = _joined() if _joined is not None else None
+        if stream is None:
+            stream = Stream(options)
+            _joined = weakref.ref(stream)
+    _ = stream.pointer  # raises in a forked child
+    if not options.agree_with(stream.options):
+        raise Error(
+            f"this process is on the stream with {stream.options}, and cannot join with {options}, "
+            "too: leave out what differs, or close all that is open and drop its frames first"
+        )
+    return stream
+
+
+def _forget_lock_in_child() -> None:
+    global _lock
+    _lock = threading.Lock()
+
+
+os.register_at_fork(after_in_child=_forget_lock_in_child)
