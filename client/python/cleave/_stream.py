@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import logging
 import os
 import threading
 import weakref
@@ -13,6 +14,8 @@ from ._handles import Handle, opened
 from ._library import lib, text
 from ._structs import Options as _Options
 from .errors import BadArgument, Error
+
+log = logging.getLogger("cleave")
 
 
 class Options(NamedTuple):
@@ -37,7 +40,8 @@ class Stream(Handle):
             raise BadArgument(f"domain {domain} is not from 0 to 99")
         asked = _Options(domain, int(options.shared_memory is not False), interface)
         super().__init__(opened(lib.cleave_open, ctypes.byref(asked)), lib.cleave_close, at_exit=True)
-        self.options = options._replace(shared_memory=options.shared_memory is not False)
+        self.options = options
+        self.without_memory_by_default = False
 
     @property
     def domain(self) -> str:
@@ -56,20 +60,31 @@ _lock = threading.Lock()
 _joined: weakref.ref[Stream] | None = None
 
 
-def join(domain: int | None, shared_memory: bool | None, interface: str | None) -> Stream:
-    """The process's stream; Error if it was joined with other options."""
+def join(
+    domain: int | None, shared_memory: bool | None, interface: str | None, *, clouds: bool
+) -> Stream:
+    """The process's stream; Error if it was joined with other options. `clouds`: whether they are
+    what it is for: else shared memory is left out unless asked for."""
     global _joined
     options = Options(domain, shared_memory, interface)
     with _lock:
         stream = _joined() if _joined is not None else None
         if stream is None:
-            stream = Stream(options)
+            with_memory = clouds if shared_memory is None else shared_memory
+            stream = Stream(options._replace(shared_memory=with_memory))
+            stream.without_memory_by_default = not clouds and shared_memory is None
             _joined = weakref.ref(stream)
     _ = stream.pointer  # raises in a forked child
     if not options.agree_with(stream.options):
         raise Error(
             f"this process is on the stream with {stream.options}, and cannot join with {options}, "
             "too: leave out what differs, or close all that is open and drop its frames first"
+        )
+    if clouds and stream.without_memory_by_default and shared_memory is None:
+        log.warning(
+            "clouds are copied over loopback: this process joined without shared memory, for "
+            "segment lists or statuses. Open frames or publishers first, or pass "
+            "shared_memory=True to what is opened first"
         )
     return stream
 

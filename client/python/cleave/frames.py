@@ -161,4 +161,4 @@ def frames(
     shared_memory=False: clouds are copied over loopback. interface: network interface of segment
     lists, by name or address.
     """
-    return Frames(join(domain, shared_memory, interface), sensor, timeout)
+    return Frames(join(domain, shared_memory, interface, clouds=True), sensor, timeout)

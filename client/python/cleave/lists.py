@@ -90,8 +90,9 @@ def segments(
     interface: str | None = None,
 ) -> SegmentLists:
     """An iterator, plain or asynchronous, over the segment lists of a sensor. Options as frames()
-    has them."""
-    return SegmentLists(join(domain, shared_memory, interface), Kind.SEGMENTS, sensor, timeout)
+    has them; shared memory is used only if asked for."""
+    stream = join(domain, shared_memory, interface, clouds=False)
+    return SegmentLists(stream, Kind.SEGMENTS, sensor, timeout)
 
 
 def statuses(
@@ -103,7 +104,8 @@ def statuses(
 ) -> Statuses:
     """An iterator, plain or asynchronous, over what all nodes tell of themselves, about once a
     second each. Options as frames() has them."""
-    return Statuses(join(domain, shared_memory, interface), Kind.STATUS, "", timeout)
+    stream = join(domain, shared_memory, interface, clouds=False)
+    return Statuses(stream, Kind.STATUS, "", timeout)
 
 
 def status(

@@ -54,7 +54,7 @@ class Publisher(Handle):
         if pose is not None:
             camera.pose.position = _structs.Point(*pose.position)
             camera.pose.orientation = _structs.Quaternion(*pose.orientation)
-        self.stream = join(domain, shared_memory, interface)
+        self.stream = join(domain, shared_memory, interface, clouds=True)
         pointer = opened(lib.cleave_publisher_open, self.stream.pointer, ctypes.byref(camera))
         super().__init__(pointer, lib.cleave_publisher_close, at_exit=True)
         self.shape = (height, width)

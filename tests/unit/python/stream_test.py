@@ -8,6 +8,7 @@ import os
 import signal
 import threading
 import unittest
+from typing import Callable
 
 import cleave
 import numpy as np
@@ -98,7 +99,11 @@ class Joining(unittest.TestCase):
             if child == 0:
                 signal.alarm(20)
                 refused = 0
-                for use in (lambda: next(frames), lambda: cleave.segments(SENSOR)):
+                uses: tuple[Callable[[], object], ...] = (
+                    lambda: next(frames),
+                    lambda: cleave.segments(SENSOR),
+                )
+                for use in uses:
                     try:
                         use()
                     except cleave.Forked:

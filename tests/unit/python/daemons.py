@@ -56,18 +56,15 @@ class Program:
 
 
 class WithDaemons(unittest.TestCase):
-    """A segmenter and, over shared memory, RouDi."""
+    """Tests that start daemons of their own; shared memory needs main_with_roudi()."""
 
     shared_memory = False
 
     def setUp(self) -> None:
         if not (BIN / "cleave-segmenter").exists():
             self.skipTest(f"there is no cleave-segmenter in {BIN}: build it, or set CLEAVE_BIN")
-        if self.shared_memory:
-            if not os.path.exists(ROUDI):
-                self.skipTest(f"there is no {ROUDI}: install iceoryx")
-            roudi = Program(self, ROUDI, "-c", TOP / "config/roudi.toml")
-            self.assertTrue(roudi.says("RouDi is ready"), roudi.output)
+        if self.shared_memory and not os.path.exists(ROUDI):
+            self.skipTest(f"there is no {ROUDI}: install iceoryx")
 
     def daemon(self, name: str, *options: object) -> Program:
         network = () if self.shared_memory else ("--no-shared-memory",)
@@ -84,3 +81,20 @@ class WithDaemons(unittest.TestCase):
 
     def join(self) -> dict[str, Any]:
         return {"domain": DOMAIN, "shared_memory": self.shared_memory}
+
+
+def main_with_roudi() -> None:
+    """unittest.main() in a process of its own: RouDi ends all that are connected as it ends."""
+    if "CLEAVE_WITH_ROUDI" in os.environ or not os.path.exists(ROUDI):
+        unittest.main()
+    with subprocess.Popen([ROUDI, "-c", str(TOP / "config/roudi.toml")], stdout=subprocess.PIPE) as roudi:
+        try:
+            assert roudi.stdout is not None
+            for line in roudi.stdout:
+                if b"RouDi is ready" in line:
+                    break
+            environment = {**os.environ, "CLEAVE_WITH_ROUDI": "yes"}
+            code = subprocess.run([sys.executable, *sys.argv], env=environment).returncode
+        finally:
+            roudi.terminate()
+    sys.exit(code)

@@ -28,9 +28,9 @@ class Import(unittest.TestCase):
         self.assertIn("ImportError: cleave: libm.so.6 is no libcleave-c", said)
 
     def test_of_another_version_names_both(self) -> None:
-        fake = os.environ.get("CLEAVE_FAKE_LIBRARY")
+        fake = os.environ.get("CLEAVE_OTHER_VERSION")
         if fake is None:
-            self.skipTest("CLEAVE_FAKE_LIBRARY names no library of another version")
+            self.skipTest("CLEAVE_OTHER_VERSION names no library of another version")
         said = import_with(fake)
         self.assertRegex(said, "C interface's version 999.* for version 1")
 

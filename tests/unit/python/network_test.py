@@ -9,13 +9,14 @@ import unittest
 
 import cleave
 import numpy as np
+import numpy.typing as npt
 from daemons import BIN, TOP, Program, WithDaemons
 from support import SENSOR, eventually
 
 WIDTH, HEIGHT = 64, 48
 
 
-def scene() -> np.ndarray:
+def scene() -> npt.NDArray[np.uint16]:
     """A wall at 2 m and a box before it, in millimetres."""
     depth = np.full((HEIGHT, WIDTH), 2000, np.uint16)
     depth[16:32, 24:44] = 1000
@@ -25,8 +26,9 @@ def scene() -> np.ndarray:
 
 class OverLoopback(WithDaemons):
     def camera(self) -> cleave.Publisher:
-        size = {"fx": 60, "fy": 60, "cx": 31.5, "cy": 23.5}
-        return cleave.Publisher(SENSOR, WIDTH, HEIGHT, **size, **self.join())
+        return cleave.Publisher(
+            SENSOR, WIDTH, HEIGHT, fx=60, fy=60, cx=31.5, cy=23.5, **self.join()
+        )
 
     def test_frames_of_a_published_camera_come_whole(self) -> None:
         self.segmenter(SENSOR)

@@ -6,9 +6,11 @@ import os
 import signal
 import unittest
 import weakref
+from typing import Any, Callable
 
 import cleave
 import numpy as np
+import numpy.typing as npt
 from cleave import Kind
 from support import cloud_cdr, frame
 
@@ -38,7 +40,8 @@ class AFrame(unittest.TestCase):
 
 class AView(unittest.TestCase):
     def test_is_read_only_for_good(self) -> None:
-        for array in (frame().cloud, frame().labels):
+        arrays: list[npt.NDArray[Any]] = [frame().cloud, frame().labels]
+        for array in arrays:
             with self.assertRaises(ValueError):
                 array[0] = 1
             with self.assertRaises(ValueError):
@@ -65,8 +68,11 @@ class AView(unittest.TestCase):
     def test_is_refused_after_close(self) -> None:
         with frame() as f:
             segment = f.segments[0]
-        for use in (lambda: f.cloud, lambda: f.labels, lambda: f.segments, lambda: f.header,
-                    lambda: f.mask(segment), lambda: f.points(segment), lambda: f.zero_copy):
+        uses: tuple[Callable[[], object], ...] = (
+            lambda: f.cloud, lambda: f.labels, lambda: f.segments, lambda: f.header,
+            lambda: f.mask(segment), lambda: f.points(segment), lambda: f.zero_copy,
+        )
+        for use in uses:
             with self.assertRaisesRegex(cleave.Closed, "frame is closed"):
                 use()
 
