@@ -20,6 +20,16 @@ def _close(close: Callable[[int], None], pointer: int, process: int, lock: threa
         close(pointer)
 
 
+def refuse_fork(process: int | None) -> None:
+    """Forked if what belongs to `process` is used in another one."""
+    if process not in (None, os.getpid()):
+        raise Forked(
+            "this process was forked from one that is on Cleave's stream: a fork has no part in "
+            "shared memory and DDS. Join after forking, or start the process with "
+            "multiprocessing's 'spawn'"
+        )
+
+
 class Handle:
     """A pointer of cleave.h. `lock` is held while the library uses it, so that no thread closes
     what another one waits on."""
@@ -40,12 +50,7 @@ class Handle:
     @property
     def pointer(self) -> int:
         """For the library's functions; raises where it is of no use any more."""
-        if os.getpid() != self._process:
-            raise Forked(
-                "this process was forked from one that is on Cleave's stream: a fork has no part "
-                "in shared memory and DDS. Join in the child alone, or start it with "
-                "multiprocessing's 'spawn'"
-            )
+        refuse_fork(self._process)
         if not self._closer.alive:
             raise Closed("it is closed")
         return self._pointer

@@ -10,7 +10,7 @@ import threading
 import weakref
 from typing import NamedTuple
 
-from ._handles import Handle, opened
+from ._handles import Handle, opened, refuse_fork
 from ._library import lib, text
 from ._structs import Options as _Options
 from .errors import BadArgument, Error
@@ -58,6 +58,7 @@ class Stream(Handle):
 
 _lock = threading.Lock()
 _joined: weakref.ref[Stream] | None = None
+_process: int | None = None  # the one that joined, once
 
 
 def join(
@@ -65,7 +66,8 @@ def join(
 ) -> Stream:
     """The process's stream; Error if it was joined with other options. `clouds`: whether they are
     what it is for: else shared memory is left out unless asked for."""
-    global _joined
+    global _joined, _process
+    refuse_fork(_process)
     options = Options(domain, shared_memory, interface)
     with _lock:
         stream = _joined() if _joined is not None else None
@@ -73,8 +75,7 @@ def join(
             with_memory = clouds if shared_memory is None else shared_memory
             stream = Stream(options._replace(shared_memory=with_memory))
             stream.without_memory_by_default = not clouds and shared_memory is None
-            _joined = weakref.ref(stream)
-    _ = stream.pointer  # raises in a forked child
+            _joined, _process = weakref.ref(stream), os.getpid()
     if not options.agree_with(stream.options):
         raise Error(
             f"this process is on the stream with {stream.options}, and cannot join with {options}, "
@@ -89,9 +90,14 @@ def join(
     return stream
 
 
-def _forget_lock_in_child() -> None:
+def _leave_alone_in_child() -> None:
+    """A child that ends as C ends programs would sign its parent off at RouDi, which ends it: so
+    it ends at once instead, with the code it was to end with."""
     global _lock
     _lock = threading.Lock()
+    if _process is not None:
+        libc = ctypes.CDLL(None)
+        libc.on_exit(ctypes.cast(libc._exit, ctypes.c_void_p), None)
 
 
-os.register_at_fork(after_in_child=_forget_lock_in_child)
+os.register_at_fork(after_in_child=_leave_alone_in_child)

@@ -60,6 +60,17 @@ class SegmentLists(Reader[SegmentList]):
         )
 
 
+def of_our_contract(status: Status) -> Status:
+    """The same; WrongContract if its node speaks another one."""
+    if status.contract == CONTRACT:
+        return status
+    raise WrongContract(
+        f"the node '{status.node}' (process {status.process_id}, version {status.version}) speaks "
+        f"the contract '{status.contract}', and this package speaks '{CONTRACT}': use one release "
+        "for all"
+    )
+
+
 class Statuses(Reader[Status]):
     """The statuses of all nodes, as they come. WrongContract names a node that speaks another
     contract; the iterator may go on."""
@@ -68,14 +79,7 @@ class Statuses(Reader[Status]):
         pointer = self._pointer_in_time(timeout_ms)
         if pointer is None:
             return None
-        status = status_of(Sample(pointer, self.stream))
-        if status.contract != CONTRACT:
-            raise WrongContract(
-                f"the node '{status.node}' (process {status.process_id}, version {status.version}) "
-                f"speaks the contract '{status.contract}', and this package speaks '{CONTRACT}': "
-                "use one release for all"
-            )
-        return status
+        return of_our_contract(status_of(Sample(pointer, self.stream)))
 
     def _silence(self) -> str:
         return f"no node of Cleave runs in domain {self.stream.domain}: start one, or set domain="

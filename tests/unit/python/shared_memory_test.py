@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
+import os
 import pathlib
 import signal
 import tracemalloc
@@ -74,6 +76,23 @@ class InSharedMemory(WithDaemons):
             np.testing.assert_array_equal(frame.cloud[..., 2], slope())
             # The same file, mapped by reader and writer of one process at one place.
             self.assertEqual(shared_mapping_of(address), shared_mapping_of(frame.cloud.ctypes.data))
+
+    def test_a_fork_that_ends_leaves_its_parent_s_frames_alone(self) -> None:
+        self.segmenter(SENSOR)
+        with self.camera() as camera, cleave.frames(SENSOR, timeout=20) as frames:
+            self.assertTrue(eventually(lambda: camera.readers >= 2))
+            camera.publish_depth(slope())
+            frame = next(frames)
+            child = os.fork()
+            if child == 0:
+                signal.alarm(20)
+                del frame
+                ctypes.CDLL(None).exit(0)  # with all that C++ does at the end
+            _, state = os.waitpid(child, 0)
+            self.assertEqual(os.waitstatus_to_exitcode(state), 0)
+            np.testing.assert_array_equal(frame.cloud[..., 2], slope())
+            camera.publish_depth(slope())
+            self.assertTrue(next(frames).zero_copy)
 
     def test_a_killed_process_gives_the_chunks_of_its_views_back(self) -> None:
         self.segmenter(SENSOR)

@@ -85,6 +85,12 @@ class Joining(unittest.TestCase):
         del frames
         cleave.segments(SENSOR, domain=7, shared_memory=False).close()
 
+    def test_for_frames_after_lists_says_that_clouds_are_copied(self) -> None:
+        with cleave.segments(SENSOR, domain=DOMAIN):
+            with self.assertLogs("cleave") as logs:
+                cleave.frames(SENSOR).close()
+        self.assertIn("clouds are copied over loopback", logs.output[0])
+
     def test_of_a_sensor_or_a_domain_that_cannot_be_is_refused(self) -> None:
         with self.assertRaisesRegex(cleave.BadArgument, "'a b'"):
             cleave.frames("a b", **NETWORK)
