@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds listen(300);
 }  // namespace
 
 std::string nobody_answers(Stream& stream) {
-  const std::string other = other_contract(discover(stream, listen));
+  std::string other = other_contract(discover(stream, listen));
   if (!other.empty()) return other;
   return fmt::format(
       "no grabber or segmenter answers on domain {}; start them, or ./service/demo, or {}",
