@@ -69,21 +69,22 @@ class LargeCamera : public testing::TestWithParam<Size> {
   const Daemons daemons_{35, true};
 };
 
+// Slowly: a recorder that gets no processor for a while loses what its readers' histories have no
+// room for, and that is not this test's subject.
 TEST_P(LargeCamera, IsGrabbedStreamedRecordedReplayedAndVerified) {
   constexpr std::array<int, 3> all = {12, 12, 12};
   const RouDi roudi(pools("roudi-large.toml"));
   Process segmenter = daemons_.segmenter({"--lossless"});
   ASSERT_TRUE(segmenter.logs("ready")) << segmenter.log();
   Process recorder = record("first.mcap");
-  Process grabber = daemons_.grabber("synthetic:medium",
-                                     {"--size", GetParam().text(), "--lossless", "--frames", "12"});
+  Process grabber = daemons_.grabber("synthetic:medium", {"--size", GetParam().text(), "--fps", "5",
+                                                          "--lossless", "--frames", "12"});
   ASSERT_EQ(grabber.wait(patience), 0) << grabber.log();
   ASSERT_EQ(recorder.wait(), 0) << recorder.log();
   EXPECT_EQ(frames_of("first.mcap"), all) << recorder.log() << segmenter.log() << grabber.log();
 
   Process again = record("second.mcap");
-  Process replay =
-      daemons_.run("cleave", {"replay", "--lossless", "--as-fast-as-possible", file("first.mcap")});
+  Process replay = daemons_.run("cleave", {"replay", "--lossless", file("first.mcap")});
   EXPECT_EQ(replay.wait(patience), 0) << replay.log();
   ASSERT_EQ(again.wait(), 0) << again.log();
   EXPECT_EQ(frames_of("second.mcap"), all) << replay.log() << again.log();
