@@ -11,7 +11,7 @@ bool CalibratedSource::redraws(const Frame& frame) const {
 }
 
 Poll CalibratedSource::next(std::chrono::milliseconds timeout, Frame& frame) {
-  const Poll poll = source_->next(timeout, frame);
+  const Poll poll = source().next(timeout, frame);
   if (poll != Poll::frame) return poll;
   if (redraws(frame)) frame.intrinsics = calibration_.intrinsics;
   frame_ = frame;
@@ -19,7 +19,7 @@ Poll CalibratedSource::next(std::chrono::milliseconds timeout, Frame& frame) {
 }
 
 void CalibratedSource::write_points(float* xyz) {
-  source_->write_points(xyz);
+  source().write_points(xyz);
   const std::size_t points = std::size_t{frame_.width} * frame_.height;
   if (!redraws(frame_)) {
     for (std::size_t i = 0; i < 3 * points; ++i) xyz[i] *= calibration_.depth_scale;

@@ -4,7 +4,7 @@
 namespace cleave::sensor {
 
 Poll DecimatingSource::next(std::chrono::milliseconds timeout, Frame& frame) {
-  const Poll poll = source_->next(timeout, whole_);
+  const Poll poll = source().next(timeout, whole_);
   if (poll != Poll::frame) return poll;
   frame = whole_;
   if (whole_.height == 1) return poll;
@@ -15,9 +15,9 @@ Poll DecimatingSource::next(std::chrono::milliseconds timeout, Frame& frame) {
 }
 
 void DecimatingSource::write_points(float* xyz) {
-  if (whole_.height == 1) return source_->write_points(xyz);
+  if (whole_.height == 1) return source().write_points(xyz);
   xyz_.resize(3 * std::size_t{whole_.width} * whole_.height);
-  source_->write_points(xyz_.data());
+  source().write_points(xyz_.data());
   decimator_.decimate(xyz_.data(), whole_.width, whole_.height, whole_.intrinsics, xyz);
 }
 

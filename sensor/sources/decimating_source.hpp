@@ -3,33 +3,26 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "recording/cloud/decimate.hpp"
-#include "sensor/sources/source.hpp"
+#include "sensor/sources/wrapped_source.hpp"
 
 namespace cleave::sensor {
 
 // For cameras with more points than the contract carries, and for who wants less: a block of
 // `factor` x `factor` pixels becomes one (see Decimator). A frame that is no image passes
 // unchanged.
-class DecimatingSource : public Source {
+class DecimatingSource : public WrappedSource {
  public:
   // `factor` is 2 or more.
   DecimatingSource(std::unique_ptr<Source> source, std::uint32_t factor)
-      : source_(std::move(source)), decimator_(factor) {}
+      : WrappedSource(std::move(source)), decimator_(factor) {}
 
-  [[nodiscard]] Failure open() override { return source_->open(); }
   [[nodiscard]] Poll next(std::chrono::milliseconds timeout, Frame& frame) override;
   void write_points(float* xyz) override;
-  [[nodiscard]] bool realtime() const override { return source_->realtime(); }
-  [[nodiscard]] SourceCounts counts() const override { return source_->counts(); }
-  [[nodiscard]] std::string last_error() const override { return source_->last_error(); }
-  [[nodiscard]] bool in_use() const override { return source_->in_use(); }
 
  private:
-  std::unique_ptr<Source> source_;
   recording::Decimator decimator_;
   Frame whole_;             // as the source has it
   std::vector<float> xyz_;  // its points
