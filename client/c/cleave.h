@@ -207,6 +207,9 @@ CLEAVE_API void cleave_reader_close(cleave_reader* reader);
 CLEAVE_API cleave_result cleave_take(cleave_reader* reader, cleave_sample** sample);
 /* Until a sample waits; timeout_ms < 0 = for ever. */
 CLEAVE_API cleave_result cleave_wait(cleave_reader* reader, int32_t timeout_ms);
+/* Both in one call: the oldest sample, waited for. */
+CLEAVE_API cleave_result cleave_next(cleave_reader* reader, int32_t timeout_ms,
+                                     cleave_sample** sample);
 /* Becomes readable when samples come: for poll() and event loops. Take until CLEAVE_TIMEOUT, which
  * makes it unreadable again. The library's to close. */
 CLEAVE_API int cleave_reader_fd(const cleave_reader* reader);

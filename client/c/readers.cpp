@@ -9,6 +9,7 @@
 #include "c/handles.hpp"
 #include "c/new_sample.hpp"
 
+using cleave::c::AnyReader;
 using cleave::c::given;
 using cleave::c::guarded;
 
@@ -28,24 +29,41 @@ void cleave_reader_close(cleave_reader* reader) {
   delete reader;
 }
 
+namespace {
+
+cleave_result take(const std::shared_ptr<AnyReader>& reader, cleave_sample*& sample,
+                   const char* otherwise) {
+  auto taken = reader->take();
+  if (!taken) return cleave::c::fail(CLEAVE_TIMEOUT, otherwise);
+  sample = cleave::c::new_sample(reader, std::move(*taken)).release();
+  return CLEAVE_OK;
+}
+
+cleave_result wait(AnyReader& reader, int32_t timeout_ms) {
+  if (reader.wait(std::chrono::milliseconds(timeout_ms))) return CLEAVE_OK;
+  return cleave::c::fail(CLEAVE_TIMEOUT, reader.live_writers() == 0
+                                             ? "no sample came in time: nobody publishes them"
+                                             : "no sample came in time");
+}
+
+}  // namespace
+
 cleave_result cleave_take(cleave_reader* reader, cleave_sample** sample) {
   return guarded([&] {
-    auto& shared = given(reader, "reader").reader;
-    cleave_sample*& result = given(sample, "sample");
-    auto taken = shared->take();
-    if (!taken) return cleave::c::fail(CLEAVE_TIMEOUT, "no sample waits");
-    result = cleave::c::new_sample(shared, std::move(*taken)).release();
-    return CLEAVE_OK;
+    return take(given(reader, "reader").reader, given(sample, "sample"), "no sample waits");
   });
 }
 
 cleave_result cleave_wait(cleave_reader* reader, int32_t timeout_ms) {
+  return guarded([&] { return wait(*given(reader, "reader").reader, timeout_ms); });
+}
+
+cleave_result cleave_next(cleave_reader* reader, int32_t timeout_ms, cleave_sample** sample) {
   return guarded([&] {
-    auto& shared = *given(reader, "reader").reader;
-    if (shared.wait(std::chrono::milliseconds(timeout_ms))) return CLEAVE_OK;
-    return cleave::c::fail(CLEAVE_TIMEOUT, shared.live_writers() == 0
-                                               ? "no sample came in time: nobody publishes them"
-                                               : "no sample came in time");
+    const auto& shared = given(reader, "reader").reader;
+    cleave_sample*& result = given(sample, "sample");
+    const cleave_result waited = wait(*shared, timeout_ms);
+    return waited == CLEAVE_OK ? take(shared, result, "no sample waits") : waited;
   });
 }
 

@@ -13,6 +13,7 @@ time must agree. An iterator, a publisher and a frame may be used from any threa
 from __future__ import annotations
 
 from ._library import lib as _lib
+from .clouds import Clouds, clouds
 from .codec import decode, encode
 from .errors import (
     BadArgument,
@@ -40,6 +41,7 @@ __all__ = [
     "Box",
     "Closed",
     "Cloud",
+    "Clouds",
     "Error",
     "Forked",
     "Frame",
@@ -61,6 +63,7 @@ __all__ = [
     "Statuses",
     "Timeout",
     "WrongContract",
+    "clouds",
     "decode",
     "encode",
     "frames",

@@ -34,18 +34,14 @@ class Handle:
     """A pointer of cleave.h. `lock` is held while the library uses it, so that no thread closes
     what another one waits on."""
 
-    def __init__(
-        self, pointer: ctypes.c_void_p, close: Callable[[int], None], *, at_exit: bool
-    ) -> None:
+    def __init__(self, pointer: ctypes.c_void_p, close: Callable[[int], None]) -> None:
         self._process = os.getpid()
         self._pointer = pointer.value or 0
         self.lock = threading.Lock()
+        # What is left open at the end is closed, so that others need not wait for a lease to run out.
         self._closer = weakref.finalize(
             self, _close, close, self._pointer, self._process, self.lock
         )
-        # What is left open at the end is closed, so that others need not wait for a lease to run
-        # out; but a sample's memory may be in use until the very end.
-        self._closer.atexit = at_exit
 
     @property
     def pointer(self) -> int:

@@ -39,7 +39,7 @@ class Stream(Handle):
         if not -1 <= domain <= 99:
             raise BadArgument(f"domain {domain} is not from 0 to 99")
         asked = _Options(domain, int(options.shared_memory is not False), interface)
-        super().__init__(opened(lib.cleave_open, ctypes.byref(asked)), lib.cleave_close, at_exit=True)
+        super().__init__(opened(lib.cleave_open, ctypes.byref(asked)), lib.cleave_close)
         self.options = options
         self.without_memory_by_default = False
 

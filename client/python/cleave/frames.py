@@ -105,7 +105,7 @@ class Frames(Source[Frame]):
     def __init__(self, stream: Stream, sensor: str, timeout: float | None) -> None:
         self._check_timeout(timeout)
         pointer = opened(lib.cleave_frames_open, stream.pointer, sensor.encode())
-        super().__init__(pointer, lib.cleave_frames_close, at_exit=True)
+        super().__init__(pointer, lib.cleave_frames_close)
         self.stream = stream
         self.sensor = sensor
         self._held: weakref.WeakSet[Sample] = weakref.WeakSet()

@@ -8,14 +8,14 @@ import time
 from typing import TypeVar
 
 from ._handles import opened
-from ._library import check, lib
+from ._library import lib
 from ._source import Source
 from ._stream import Stream, join
 from .errors import Timeout, WrongContract
-from .samples import CONTRACT, Sample, SegmentList, Status, status_of
+from .samples import CONTRACT, Cloud, Sample, SegmentList, Status, status_of
 from .types import Kind
 
-Item = TypeVar("Item", SegmentList, Status)
+Item = TypeVar("Item", Cloud, SegmentList, Status)
 
 
 class Reader(Source[Item]):
@@ -24,7 +24,7 @@ class Reader(Source[Item]):
     def __init__(self, stream: Stream, kind: Kind, sensor: str, timeout: float | None) -> None:
         self._check_timeout(timeout)
         pointer = opened(lib.cleave_reader_open, stream.pointer, int(kind), sensor.encode(), 0)
-        super().__init__(pointer, lib.cleave_reader_close, at_exit=True)
+        super().__init__(pointer, lib.cleave_reader_close)
         self.stream = stream
         self.sensor = sensor
 
@@ -38,9 +38,7 @@ class Reader(Source[Item]):
 
     def _pointer_in_time(self, timeout_ms: int) -> ctypes.c_void_p | None:
         try:
-            if timeout_ms > 0:
-                check(lib.cleave_wait(self.pointer, timeout_ms))
-            return opened(lib.cleave_take, self.pointer)
+            return opened(lib.cleave_next, self.pointer, timeout_ms)
         except Timeout:
             return None
 

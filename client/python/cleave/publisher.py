@@ -56,7 +56,7 @@ class Publisher(Handle):
             camera.pose.orientation = _structs.Quaternion(*pose.orientation)
         self.stream = join(domain, shared_memory, interface, clouds=True)
         pointer = opened(lib.cleave_publisher_open, self.stream.pointer, ctypes.byref(camera))
-        super().__init__(pointer, lib.cleave_publisher_close, at_exit=True)
+        super().__init__(pointer, lib.cleave_publisher_close)
         self.shape = (height, width)
 
     @property

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import os
+import sys
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,19 +14,34 @@ import numpy.typing as npt
 
 from . import _structs
 from ._convert import borders_of, causes_of, header_of, segments_of
-from ._handles import Handle
+from ._handles import refuse_fork
 from ._library import check, lib, text
 from .types import Border, Header, Kind, Segment
 
 CONTRACT = "cleave_v1"  # what this package speaks
 
 
-class Sample(Handle):
-    """Keeps a sample's memory; it goes back to its writer when this and the last view are gone."""
+class Sample:
+    """Keeps a sample's memory; it goes back to its writer when this and the last view are gone, or
+    never, where that is at the process's end."""
 
+    # Not a Handle: there are three a frame, and a weakref.finalize is a third of what they cost.
     def __init__(self, pointer: ctypes.c_void_p, owner: object = None) -> None:
-        super().__init__(pointer, lib.cleave_release, at_exit=False)
+        self._process = os.getpid()
+        self._pointer = pointer.value or 0
         self._owner = owner  # the stream, which others shall find while this is in use
+
+    @property
+    def pointer(self) -> int:
+        """For the library's functions; raises in a fork."""
+        refuse_fork(self._process)
+        return self._pointer
+
+    def __del__(self) -> None:
+        # Views hold this, so none is left. A child shares the memory, but nothing of this is its
+        # own; and at the end of the process the library may be gone.
+        if not sys.is_finalizing() and os.getpid() == self._process:
+            lib.cleave_release(self._pointer)
 
     @property
     def kind(self) -> Kind:
@@ -34,6 +51,12 @@ class Sample(Handle):
     def zero_copy(self) -> bool:
         """Whether its memory is the writer's own."""
         return bool(lib.cleave_sample_zero_copy(self.pointer))
+
+    @property
+    def _size(self) -> tuple[int, int]:
+        """Height and width, for less than the whole header."""
+        header = lib.cleave_sample_header(self.pointer).contents
+        return header.height, header.width
 
     @functools.cached_property
     def header(self) -> Header:
@@ -61,7 +84,7 @@ class Cloud(Sample):
         """(height, width, 3) in metres, NaN = no measurement. Read-only, in place."""
         first, count = ctypes.c_void_p(), ctypes.c_size_t()
         check(lib.cleave_sample_cloud(self.pointer, ctypes.byref(first), ctypes.byref(count)))
-        shape = (self.header.height, self.header.width, 3)
+        shape = (*self._size, 3)
         if count.value == 0:
             return np.empty(shape, np.float32)
         return np.asarray(_View(self, first.value or 0, shape, "<f4"))
@@ -75,7 +98,7 @@ class LabelMap(Sample):
         """(height, width), 0 = no segment. Read-only, in place."""
         first, count = ctypes.c_void_p(), ctypes.c_size_t()
         check(lib.cleave_sample_labels(self.pointer, ctypes.byref(first), ctypes.byref(count), None))
-        shape = (self.header.height, self.header.width)
+        shape = self._size
         if count.value == 0:
             return np.empty(shape, np.uint16)
         return np.asarray(_View(self, first.value or 0, shape, "<u2"))
@@ -93,12 +116,10 @@ class SegmentList(Sample):
     @functools.cached_property
     def segments(self) -> tuple[Segment, ...]:
         """In the order of their labels 1, 2, ...: the most points first."""
-        _ = self.pointer  # raises after close()
         return segments_of(self._list)
 
     @functools.cached_property
     def borders(self) -> tuple[Border, ...]:
-        _ = self.pointer
         return borders_of(self._list)
 
     @property

@@ -25,6 +25,7 @@ TEST_F(OfNull, HandlesAreRefusedNotFollowed) {
   EXPECT_STREQ(cleave_error(), "stream is a null pointer");
   EXPECT_EQ(cleave_take(nullptr, &sample), CLEAVE_BAD_ARGUMENT);
   EXPECT_EQ(cleave_wait(nullptr, 0), CLEAVE_BAD_ARGUMENT);
+  EXPECT_EQ(cleave_next(nullptr, 0, nullptr), CLEAVE_BAD_ARGUMENT);
   EXPECT_EQ(cleave_frames_open(nullptr, "a", &frames), CLEAVE_BAD_ARGUMENT);
   EXPECT_EQ(cleave_frames_next(nullptr, 0, &sample, &sample, &sample), CLEAVE_BAD_ARGUMENT);
   EXPECT_EQ(cleave_sample_cloud(nullptr, &xyz, &count), CLEAVE_BAD_ARGUMENT);

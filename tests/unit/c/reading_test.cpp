@@ -108,6 +108,17 @@ TEST_F(ReaderOfC, KeepsItsDescriptorReadableForWhatAWaitHasFound) {
   close_publisher();
 }
 
+TEST_F(ReaderOfC, WaitsAndTakesInOneCall) {
+  open_clouds();
+  ASSERT_EQ(cleave_next(reader_, 10'000, &sample_), CLEAVE_OK) << cleave_error();
+  EXPECT_EQ(cleave_sample_header(sample_)->capture_time_ns, 77);
+  cleave_sample* none = nullptr;
+  EXPECT_EQ(cleave_next(reader_, 1, &none), CLEAVE_TIMEOUT);
+  EXPECT_STREQ(cleave_error(), "no sample came in time");
+  EXPECT_EQ(none, nullptr);
+  close_publisher();
+}
+
 TEST_F(ReaderOfC, AndItsSamplesLiveOnBehindHandlesThatAreClosed) {
   open_clouds();
   take_when_it_comes();

@@ -63,6 +63,14 @@ class InSharedMemory(WithDaemons):
                 self.assertEqual(shared_mapping_of(last), mapping)
             np.testing.assert_array_equal(frame.cloud[..., 2], slope())
 
+    def test_clouds_come_in_place_without_a_segmenter(self) -> None:
+        with self.camera() as camera, cleave.clouds(SENSOR, timeout=20) as clouds:
+            self.assertTrue(eventually(lambda: camera.readers >= 1))
+            camera.publish_depth(slope())
+            cloud = next(clouds)
+            self.assertTrue(cloud.zero_copy)
+            np.testing.assert_array_equal(cloud.points[..., 2], slope())
+
     def test_a_loan_is_the_memory_that_readers_get(self) -> None:
         self.segmenter(SENSOR)
         with self.camera() as camera, cleave.frames(SENSOR, timeout=20) as frames:
