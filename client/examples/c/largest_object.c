@@ -4,9 +4,9 @@
  * it that is nearest to the camera, read where the camera's grabber wrote it.
  *
  *   build/release/bin/c_largest_object [SENSOR [FRAMES]] */
-#include "cleave.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include "cleave.h"
 
 /* Distance along z in metres; 0 if the segment has no point. */
 static float nearest(const float* xyz, const uint16_t* labels, size_t count, uint16_t label) {
@@ -31,7 +31,8 @@ static void print(const cleave_sample* cloud, const cleave_sample* labels,
   printf("frame %llu: %zu segments; the second has %u points around (%.2f, %.2f, %.2f) m\n",
          (unsigned long long)list.header->frame_id, list.segment_count, object->point_count,
          (double)object->centroid.x, (double)object->centroid.y, (double)object->centroid.z);
-  fprintf(stderr, "nearest point at %.2f m (%s)\n",
+  fprintf(stderr, "frame %llu: nearest point at %.3f m (%s)\n",
+          (unsigned long long)list.header->frame_id,
           (double)nearest(xyz, label, count, object->label),
           cleave_sample_zero_copy(cloud) ? "zero copy" : "copied");
 }
