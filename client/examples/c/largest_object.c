@@ -4,9 +4,9 @@
  * it that is nearest to the camera, read where the camera's grabber wrote it.
  *
  *   build/release/bin/c_largest_object [SENSOR [FRAMES]] */
+#include "cleave.h"
 #include <stdio.h>
 #include <stdlib.h>
-#include "cleave.h"
 
 /* Distance along z in metres; 0 if the segment has no point. */
 static float nearest(const float* xyz, const uint16_t* labels, size_t count, uint16_t label) {

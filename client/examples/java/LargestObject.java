@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In Java, through JNA: prints the largest object of every frame, as 01_print_segments.cpp does, and
+// In Java, with JNA: prints the largest object of every frame, as 01_print_segments.cpp does, and
 // the point of it that is nearest to the camera, read where the camera's grabber wrote it.
 //
 //     apt-get install openjdk-17-jdk-headless libjna-java
@@ -19,15 +19,7 @@ public class LargestObject {
   /** Of cleave.h what is needed here. */
   public interface C extends Library {
     int ABI_VERSION = 1, OK = 0, FAILED = 5;
-    C cleave = load();
-
-    private static C load() {
-      C library = Native.load("cleave-c", C.class);
-      int found = library.cleave_abi_version();
-      if (found == ABI_VERSION) return library;
-      throw new IllegalStateException(
-          "libcleave-c has ABI version " + found + ", this page is of " + ABI_VERSION);
-    }
+    C cleave = Native.load("cleave-c", C.class);
 
     int cleave_abi_version();
     String cleave_error();
@@ -76,14 +68,14 @@ public class LargestObject {
   static class Failure extends RuntimeException {
     final int result;
 
-    Failure(int result) {
-      super(C.cleave.cleave_error());  // of this thread
+    Failure(int result, String text) {
+      super(text);
       this.result = result;
     }
   }
 
   static void check(int result) {
-    if (result != C.OK) throw new Failure(result);
+    if (result != C.OK) throw new Failure(result, C.cleave.cleave_error());  // this thread's
   }
 
   /** Of one sensor. For one thread at a time. */
@@ -115,8 +107,8 @@ public class LargestObject {
   }
 
   /**
-   * A cloud, its label map and its segments. The buffers are views of the memory of the camera's
-   * grabber, which goes back to it with close(): hold few frames, and use no buffer after its frame.
+   * A cloud, its label map and its segments. The buffers are views of the camera's grabber's own
+   * memory, which goes back with close(): hold few frames, and use no buffer after its frame.
    */
   record Frame(Pointer cloud, Pointer labels, Pointer segments) implements AutoCloseable {
     FloatBuffer points() {
@@ -141,7 +133,9 @@ public class LargestObject {
 
     @Override
     public void close() {
-      for (Pointer sample : new Pointer[] {cloud, labels, segments}) C.cleave.cleave_release(sample);
+      C.cleave.cleave_release(cloud);
+      C.cleave.cleave_release(labels);
+      C.cleave.cleave_release(segments);
     }
   }
 
@@ -166,6 +160,11 @@ public class LargestObject {
   }
 
   static void run(String sensor, long left) {
+    int abi = C.cleave.cleave_abi_version();
+    if (abi != C.ABI_VERSION) {
+      throw new Failure(C.FAILED,
+          "libcleave-c has ABI version " + abi + ", this page is of " + C.ABI_VERSION);
+    }
     try (Frames frames = new Frames(sensor)) {
       while (left > 0) {
         try (Frame frame = frames.next(5000)) {

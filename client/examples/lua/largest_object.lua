@@ -14,7 +14,9 @@ local function load_cleave(path)
   ffi.cdef(header)
   local library = ffi.load("cleave-c")
   local found = library.cleave_abi_version()
-  assert(found == version, ("libcleave-c has ABI version %d, %s %d"):format(found, path, version))
+  if found ~= version then
+    error(("libcleave-c has ABI version %d, %s is of %d"):format(found, path, version), 0)
+  end
   return library
 end
 
@@ -47,8 +49,8 @@ local function next_frame(frames, timeout_ms)
   return {cloud = owned(cloud), labels = owned(labels), segments = owned(segments)}
 end
 
--- Gives a frame's memory back to the camera's grabber at once. The collector would, too, but a pointer
--- is small and it in no hurry. What pointed into that memory must not be used any more.
+-- Gives a frame's memory back to the camera's grabber at once. The collector would, too, but in no
+-- hurry, for a pointer is small. What pointed into that memory must not be used any more.
 local function release(frame)
   for _, sample in pairs(frame) do cleave.cleave_release(ffi.gc(sample, nil)) end
 end

@@ -139,7 +139,9 @@ impl Frame {
 
 impl Drop for Frame {
     fn drop(&mut self) {
-        self.0.iter().for_each(|sample| unsafe { c::cleave_release(*sample) });
+        for sample in self.0 {
+            unsafe { c::cleave_release(sample) }
+        }
     }
 }
 
@@ -159,7 +161,7 @@ fn print(frame: &Frame) -> Result<(), Failure> {
     let points = frame.cloud()?.iter().zip(frame.labels()?);
     let own = points.filter(|(_, label)| **label == object.label);
     let nearest = own.map(|(point, _)| point[2]).fold(f32::INFINITY, f32::min);
-    let how = if frame.zero_copy() { "zero copy" } else { "copied" };
+    let how = ["copied", "zero copy"][usize::from(frame.zero_copy())];
     eprintln!("frame {id}: nearest point at {nearest:.3} m ({how})");
     Ok(())
 }
@@ -168,20 +170,22 @@ fn run() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let sensor = arguments.next().unwrap_or_else(|| "camera".into());
     let mut left = match arguments.next() {
-        Some(text) => text.parse().map_err(|_| format!("FRAMES is a number, not '{text}'"))?,
         None => u64::MAX,
+        Some(text) => match text.parse() {
+            Ok(number) => number,
+            Err(_) => return Err(format!("FRAMES is a number, not '{text}'").into()),
+        },
     };
     let mut frames = Frames::open(&sensor)?;
     while left > 0 {
         match frames.next(5000) {
-            Ok(frame) => print(&frame)?,
-            Err(failure) if failure.0 == c::FAILED => return Err(failure.into()),
-            Err(failure) => {
-                eprintln!("{failure}"); // nobody there (any more): somebody may come
-                continue;
+            Ok(frame) => {
+                print(&frame)?;
+                left -= 1;
             }
+            Err(failure) if failure.0 == c::FAILED => return Err(failure.into()),
+            Err(failure) => eprintln!("{failure}"), // nobody there (any more): somebody may come
         }
-        left -= 1;
     }
     Ok(())
 }
