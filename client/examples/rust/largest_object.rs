@@ -61,7 +61,6 @@ impl std::fmt::Display for Failure {
         formatter.write_str(&self.1)
     }
 }
-
 impl Error for Failure {}
 
 fn check(result: i32) -> Result<(), Failure> {
