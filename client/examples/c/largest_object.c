@@ -31,7 +31,8 @@ static void print(const cleave_sample* cloud, const cleave_sample* labels,
   printf("frame %llu: %zu segments; the second has %u points around (%.2f, %.2f, %.2f) m\n",
          (unsigned long long)list.header->frame_id, list.segment_count, object->point_count,
          (double)object->centroid.x, (double)object->centroid.y, (double)object->centroid.z);
-  fprintf(stderr, "nearest point at %.2f m (%s)\n",
+  fprintf(stderr, "frame %llu: nearest point at %.3f m (%s)\n",
+          (unsigned long long)list.header->frame_id,
           (double)nearest(xyz, label, count, object->label),
           cleave_sample_zero_copy(cloud) ? "zero copy" : "copied");
 }
