@@ -11,6 +11,7 @@
 
 #include "idl/interface_name.hpp"
 #include "libcleave/internal/dds.hpp"
+#include "libcleave/internal/own_interface.hpp"
 #include "libcleave/internal/roudi_access.hpp"
 #include "libcleave/types.hpp"
 
@@ -128,6 +129,8 @@ Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>())
   s.public_domain = open_domain(options.domain, options.public_interface, false);
   s.bulk_participant = join(bulk);
   s.public_participant = join(options.domain);
+  hear_only("lo", bulk);
+  hear_only(options.public_interface, options.domain);
 }
 
 Stream::~Stream() = default;
