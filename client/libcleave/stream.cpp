@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
 #include "idl/interface_name.hpp"
 #include "libcleave/internal/dds.hpp"
+#include "libcleave/internal/own_interface.hpp"
 #include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/internal/roudi_post.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {
@@ -68,9 +71,15 @@ dds::Entity join(std::uint32_t id) {
 // when the first is to be published.
 constexpr std::uint32_t small_sample = std::max(sizeof(DepthCloud), sizeof(LabelMap));
 
+// A busy machine's RouDi may take a moment.
+constexpr std::chrono::seconds roudi_patience(2);
+
 std::string why_no_shared_memory() {
-  std::string obstacle = obstacle_to_roudi();
-  return obstacle.empty() && may_write_to_roudi() ? obstacle_of_pools(small_sample) : obstacle;
+  std::string obstacle = obstacle_to_joining(roudi_patience);
+  if (!obstacle.empty()) return obstacle;
+  (void)sign_off_the_dead();
+  join_roudi();
+  return may_write_to_roudi() ? obstacle_of_pools(small_sample) : "";
 }
 
 }  // namespace
@@ -122,12 +131,19 @@ Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>())
   } else {
     s.transport = Transport::shared_memory;
     s.reason = "RouDi answers";
+    if (roudi_drops_suspended()) {
+      spdlog::warn(
+          "RouDi drops who is suspended for more than 1.5 s, and iceoryx then ends them: start it "
+          "with `-m off`");
+    }
   }
   const std::uint32_t bulk = options.domain + bulk_domain_offset;
   s.bulk_domain = open_domain(bulk, "lo", s.transport == Transport::shared_memory);
   s.public_domain = open_domain(options.domain, options.public_interface, false);
   s.bulk_participant = join(bulk);
   s.public_participant = join(options.domain);
+  hear_only("lo", bulk);
+  hear_only(options.public_interface, options.domain);
 }
 
 Stream::~Stream() = default;

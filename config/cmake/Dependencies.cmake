@@ -13,6 +13,7 @@ endmacro()
 
 cleave_find(CycloneDDS cyclonedds-dev)
 cleave_find(iceoryx_hoofs libiceoryx-hoofs-dev)
+cleave_find(iceoryx_posh libiceoryx-posh-dev)
 cleave_find(iceoryx_binding_c libiceoryx-binding-c-dev)
 cleave_find(Eigen3 libeigen3-dev 3.4)
 cleave_find(yaml-cpp libyaml-cpp-dev 0.7)

@@ -55,8 +55,8 @@ Grabber::~Grabber() {
 
 Ending Grabber::run() {
   if (!link_.start()) return Ending::failed;
-  while (!shutdown_.requested() && !ended() && !supervisor_.roudi_replaced()) step();
-  if (supervisor_.roudi_replaced()) return Ending::roudi_replaced;
+  while (!shutdown_.requested() && !ended() && !must_start_anew()) step();
+  if (must_start_anew()) return Ending::start_anew;
   if (ended()) linger(flow_ ? no_limit : live_linger);
   if (shutdown_.requested()) {
     supervisor_.set_state(NodeState::stopping);
@@ -65,7 +65,12 @@ Ending Grabber::run() {
   supervisor_.publish();
   spdlog::info("stopped sensor '{}': {} frames published", options_.sensor,
                book_.published_count());
-  return Ending::done;
+  return shutdown_.roudi() != 0 && options_.endless ? Ending::start_anew : Ending::done;
+}
+
+bool Grabber::must_start_anew() const {
+  const RouDiWatch& roudi = supervisor_.roudi();
+  return roudi.restart_joins() && (options_.endless || !roudi.works_without());
 }
 
 void Grabber::step() {

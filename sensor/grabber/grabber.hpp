@@ -29,12 +29,16 @@ struct GrabberOptions {
   std::uint32_t fps = 30;                   // pace of sources that have none of their own
   std::optional<std::uint32_t> window;      // frames in flight in lossless mode; empty = live
   std::optional<std::uint64_t> max_frames;  // end after so many published
+  // A run that has an end, or may lose no frame, would not go on where it was if it started anew:
+  // it does so only where it could not go on at all.
+  bool endless = true;
 };
 
 enum class Ending {
-  done,           // the source ended, enough frames were published, or a signal asked
-  failed,         // the source could not be opened, and nobody else has it
-  roudi_replaced  // the program must start anew
+  done,       // the source ended, enough frames were published, or a signal asked
+  failed,     // the source could not be opened, and nobody else has it
+  start_anew  // only a fresh process joins the RouDi that is there now, or survives the one that
+              // ends
 };
 
 // Nothing is published while no reader is matched: the frames of a camera are then dropped and
@@ -58,6 +62,7 @@ class Grabber {
   void step();
   void update(Clock::time_point now);
   [[nodiscard]] bool has_readers() const;
+  [[nodiscard]] bool must_start_anew() const;
   std::chrono::milliseconds until_next(Clock::time_point now);
   void take_frame();
   void handle(const Frame& frame);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 #include <variant>
 
 #include "libcleave/process/exit_codes.hpp"
@@ -13,6 +14,7 @@
 #include "libcleave/process/restart.hpp"
 #include "libcleave/process/sensor_lock.hpp"
 #include "libcleave/process/shutdown.hpp"
+#include "libcleave/roudi.hpp"
 #include "libcleave/stream.hpp"
 #include "sensor/grabber/command_line.hpp"
 #include "sensor/grabber/grabber.hpp"
@@ -25,7 +27,7 @@ StreamOptions stream_options(const config::StreamConfig& config) {
   return with_environment({config.domain, config.shared_memory, config.public_interface});
 }
 
-GrabberOptions grabber_options(const Settings& settings) {
+GrabberOptions grabber_options(const Settings& settings, bool realtime) {
   const config::GrabberConfig& config = settings.config;
   const auto& [position, orientation] =
       std::tie(config.calibration.position, config.calibration.orientation);
@@ -38,21 +40,19 @@ GrabberOptions grabber_options(const Settings& settings) {
   options.fps = config.fps;
   options.max_frames = settings.max_frames;
   if (config.mode == config::Mode::lossless) options.window = config.window;
+  options.endless = !options.window && !options.max_frames && (realtime || config.loop);
   return options;
 }
 
-int run(const Settings& settings, std::unique_ptr<Source> source, const StreamOptions& options,
-        char** argv) {
-  Shutdown shutdown;
+// Every reader and writer is gone when this returns.
+Ending run(const Settings& settings, std::unique_ptr<Source> source, const StreamOptions& options,
+           Shutdown& shutdown) {
   const config::GrabberConfig& config = settings.config;
   const SensorLock lock(options.domain, config.sensor);
   Stream stream(options);
   spdlog::info("sensor '{}' from {}, {} ({})", config.sensor, config.source,
                to_string(stream.transport()), stream.transport_reason());
-  Grabber grabber(grabber_options(settings), stream, *source, shutdown);
-  const Ending ending = grabber.run();
-  if (ending == Ending::roudi_replaced) restart_in_place(argv);
-  return ending == Ending::done ? exit_done : exit_failed;
+  return Grabber(grabber_options(settings, source->realtime()), stream, *source, shutdown).run();
 }
 
 int run(int argc, char** argv) {
@@ -68,8 +68,14 @@ int run(int argc, char** argv) {
                             recording::GapLimit(config.max_gap_s)};
     const config::CalibrationConfig& known = config.calibration;
     const Calibration calibration{{known.fx, known.fy, known.cx, known.cy}, known.depth_scale};
-    return run(settings, make_source(config.source, mode, playback, {config.decimate, calibration}),
-               options, argv);
+    auto source = make_source(config.source, mode, playback, {config.decimate, calibration});
+    Shutdown shutdown;
+    const Ending ending = run(settings, std::move(source), options, shutdown);
+    if (ending == Ending::start_anew) {
+      if (const pid_t roudi = shutdown.roudi()) leave_roudi(roudi);
+      restart_in_place(argv);
+    }
+    return ending == Ending::done ? exit_done : exit_failed;
   } catch (const config::ConfigurationError& error) {
     spdlog::error("{}", error.what());
     return exit_wrong_usage;

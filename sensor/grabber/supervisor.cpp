@@ -14,7 +14,7 @@ Supervisor::Supervisor(Stream& stream, const std::string& sensor, Fill fill)
     : publisher_(stream),
       fill_(std::move(fill)),
       report_(first_report(stream, grabber_node(sensor), sensor)),
-      roudi_(stream.transport()) {
+      roudi_(stream) {
   publish();
 }
 

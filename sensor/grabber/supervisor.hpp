@@ -30,8 +30,9 @@ class Supervisor {
   void update(Clock::time_point now);
   // Publishes the status now.
   void publish();
-  // Another RouDi than the one that this process joined runs: only a restart joins it.
-  [[nodiscard]] bool roudi_replaced() const { return roudi_.replaced(); }
+  // Another RouDi than the one that this process joined runs, or the first: only a restart joins
+  // it.
+  [[nodiscard]] const RouDiWatch& roudi() const { return roudi_; }
 
  private:
   StatusPublisher publisher_;

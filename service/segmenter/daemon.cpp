@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds status_interval(500);
 }  // namespace
 
 Daemon::Daemon(const DaemonSettings& settings)
-    : stream_(settings.stream), status_(stream_), roudi_(stream_.transport()) {
+    : stream_(settings.stream), status_(stream_), roudi_(stream_) {
   for (const std::string& sensor : settings.sensors) start(settings, sensor);
   publish_due_status();
 }
@@ -32,10 +32,11 @@ void Daemon::start(const DaemonSettings& settings, const std::string& sensor) {
 Ending Daemon::run(Shutdown& shutdown) {
   while (!shutdown.wait_for(tick)) {
     publish_due_status();
-    if (roudi_.replaced()) break;
+    if (roudi_.restart_joins()) break;
   }
   drain();
-  return roudi_.replaced() ? Ending::roudi_replaced : Ending::asked;
+  const bool anew = roudi_.restart_joins() || shutdown.roudi() != 0;
+  return anew ? Ending::start_anew : Ending::asked;
 }
 
 // All of them every half second and when RouDi goes or comes, and each as soon as its state

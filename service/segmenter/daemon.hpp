@@ -29,8 +29,9 @@ struct DaemonSettings {
 };
 
 enum class Ending {
-  asked,          // by a signal
-  roudi_replaced  // what joined the new RouDi is out of reach: start the program anew
+  asked,      // by a signal
+  start_anew  // only a fresh process joins the RouDi that is there now, or survives the one that
+              // ends
 };
 
 class Daemon {
@@ -39,7 +40,7 @@ class Daemon {
   // wrong option of the segmentation.
   explicit Daemon(const DaemonSettings& settings);
 
-  // Until shutdown is requested or RouDi replaced; drains before it returns.
+  // Until shutdown is requested or the program must start anew; drains before it returns.
   [[nodiscard]] Ending run(Shutdown& shutdown);
 
  private:

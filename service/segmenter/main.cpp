@@ -11,6 +11,7 @@
 #include "libcleave/process/logging.hpp"
 #include "libcleave/process/restart.hpp"
 #include "libcleave/process/shutdown.hpp"
+#include "libcleave/roudi.hpp"
 #include "segmenter/command_line.hpp"
 #include "segmenter/daemon.hpp"
 #include "segmenter/settings.hpp"
@@ -19,9 +20,8 @@ namespace {
 
 using namespace cleave::service;
 
-// The daemon, and with it every connection to RouDi, is gone when this returns.
-Ending run(const CommandLine& line) {
-  cleave::Shutdown shutdown;
+// The daemon, and with it every reader and writer, is gone when this returns.
+Ending run(const CommandLine& line, cleave::Shutdown& shutdown) {
   return Daemon(read_settings(line)).run(shutdown);
 }
 
@@ -32,8 +32,11 @@ int main(int count, char** arguments) {
     cleave::init_logging("cleave-segmenter");
     const std::variant<CommandLine, int> parsed = parse_command_line(count, arguments);
     if (const int* const code = std::get_if<int>(&parsed)) return *code;
-    if (run(std::get<CommandLine>(parsed)) == Ending::roudi_replaced)
+    cleave::Shutdown shutdown;
+    if (run(std::get<CommandLine>(parsed), shutdown) == Ending::start_anew) {
+      if (const pid_t roudi = shutdown.roudi()) cleave::leave_roudi(roudi);
       cleave::restart_in_place(arguments);
+    }
     return cleave::exit_done;
   } catch (const cleave::config::ConfigurationError& error) {
     spdlog::error("{}", error.what());

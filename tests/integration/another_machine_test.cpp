@@ -11,74 +11,10 @@
 
 #include "recording/frames/frame_reader.hpp"
 #include "tests/integration/support/process.hpp"
+#include "tests/integration/support/two_machines.hpp"
 
 namespace cleave::test {
 namespace {
-
-constexpr char no_rights[] = "network namespaces need root, `ip` and `iptables`";
-
-// Whether a command ended with 0.
-bool succeeds(const std::string& command) {
-  std::vector<std::string> words = {"/usr/bin/env", "sh", "-c", command};
-  return Process(words).wait() == 0;
-}
-
-// Robot and office; gone, with their cable, when this is.
-class TwoMachines {
- public:
-  TwoMachines() {
-    ready_ = Process({"/usr/bin/env", "iptables", "--version"}).wait() == 0 &&
-             succeeds("ip netns add " + robot_ + " && ip netns add " + office_) &&
-             succeeds("ip link add robot0 netns " + robot_ + " type veth peer name office0 netns " +
-                      office_) &&
-             succeeds(on(robot_,
-                         "ip addr add 10.77.0.1/24 dev robot0; ip link set lo up; "
-                         "ip link set robot0 up")) &&
-             succeeds(on(office_,
-                         "ip addr add 10.77.0.2/24 dev office0; ip link set lo up; "
-                         "ip link set office0 up")) &&
-             succeeds(on(office_, "iptables -L -n"));
-  }
-  ~TwoMachines() {
-    (void)succeeds("ip netns del " + robot_);
-    (void)succeeds("ip netns del " + office_);
-  }
-  TwoMachines(const TwoMachines&) = delete;
-  TwoMachines& operator=(const TwoMachines&) = delete;
-
-  [[nodiscard]] bool ready() const { return ready_; }
-  [[nodiscard]] Process robot(const std::vector<std::string>& words) const {
-    return run(robot_, "robot0", words);
-  }
-  [[nodiscard]] Process office(const std::vector<std::string>& words) const {
-    return run(office_, "office0", words);
-  }
-  // What arrives at the office is lost with this probability.
-  void lose(const std::string& probability) const {
-    ASSERT_TRUE(succeeds(on(office_,
-                            "iptables -A INPUT -i office0 -m statistic --mode random "
-                            "--probability " +
-                                probability + " -j DROP")));
-  }
-  void unplug() const { ASSERT_TRUE(succeeds(on(robot_, "ip link set robot0 down"))); }
-  void plug_in() const { ASSERT_TRUE(succeeds(on(robot_, "ip link set robot0 up"))); }
-
- private:
-  static std::string on(const std::string& machine, const std::string& command) {
-    return "ip netns exec " + machine + " sh -c '" + command + "'";
-  }
-  static Process run(const std::string& machine, const std::string& interface,
-                     const std::vector<std::string>& words) {
-    std::vector<std::string> command = {"/usr/bin/env", "ip",    "netns",
-                                        "exec",         machine, program(words.front())};
-    command.insert(command.end(), words.begin() + 1, words.end());
-    return Process(command, {{"CLEAVE_DOMAIN", "36"}, {"CLEAVE_INTERFACE", interface}});
-  }
-
-  const std::string robot_ = "cleave_robot_" + std::to_string(::getpid());
-  const std::string office_ = "cleave_office_" + std::to_string(::getpid());
-  bool ready_ = false;
-};
 
 class AnotherMachine : public testing::Test {
  protected:
@@ -105,7 +41,7 @@ class AnotherMachine : public testing::Test {
     return hz.output();
   }
 
-  const TwoMachines machines_;
+  const TwoMachines machines_{36};
   const TemporaryFolder folder_;
 };
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <optional>
+#include <utility>
 
 #include "tests/integration/support/daemons.hpp"
 #include "tests/integration/support/monitor.hpp"
@@ -31,6 +33,10 @@ class RouDiFault : public testing::Test {
       return monitor_.lists().size() >= wanted;
     });
     return flow ? testing::AssertionSuccess() : testing::AssertionFailure() << "no segments come";
+  }
+
+  bool zero_copy_flows() {
+    return eventually([&] { return segmenter_status().frames_zero_copy > 0; });
   }
 
   TemporaryFolder folder_;
@@ -84,6 +90,50 @@ TEST_F(RouDiFault, ARouDiThatDiesIsReportedWhileSegmentsFlowAndARouDiThatComesBa
   EXPECT_EQ(camera.wait(), 0);
   segmenter.signal(SIGTERM);
   EXPECT_EQ(segmenter.wait(), 0);
+}
+
+TEST_F(RouDiFault, ARouDiThatIsStartedLateIsJoinedByBothNodesByThemselves) {
+  std::optional<RouDiLock> nobody_starts_one(std::in_place);
+  Process segmenter = daemons_.segmenter();
+  const Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log();
+  ASSERT_TRUE(
+      eventually([&] { return segmenter_status().transport_in_force == Transport::network; }));
+  nobody_starts_one.reset();
+
+  const RouDi roudi;
+  EXPECT_TRUE(zero_copy_flows()) << segmenter.log() << camera.log();
+  EXPECT_TRUE(segments_flow());
+}
+
+TEST_F(RouDiFault, ARouDiThatIsStoppedEndsAndBothNodesGoOnOverTheNetworkUntilTheNextOne) {
+  RouDi roudi;
+  Process segmenter = daemons_.segmenter();
+  Process camera = grabber();
+  ASSERT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+
+  EXPECT_EQ(roudi.stop(), 0);
+  EXPECT_TRUE(eventually([&] {
+    return segmenter_status().transport_in_force == Transport::network;
+  })) << segmenter.log();
+  EXPECT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  EXPECT_NE(segmenter.log().find("frames received"), std::string::npos) << segmenter.log();
+
+  roudi.start();
+  EXPECT_TRUE(zero_copy_flows()) << segmenter.log() << camera.log();
+  EXPECT_TRUE(segmenter.running());
+  EXPECT_TRUE(camera.running());
+}
+
+TEST_F(RouDiFault, ARouDiThatHangsIsNamedByWhoStartsThenAndJoinedWhenItGoesOn) {
+  const RouDi roudi;
+  ::kill(roudi.id(), SIGSTOP);
+  Process segmenter = daemons_.segmenter();
+  EXPECT_TRUE(segmenter.logs("is suspended or hangs")) << segmenter.log();
+  Process camera = grabber();
+  EXPECT_TRUE(segments_flow()) << segmenter.log() << camera.log();
+  ::kill(roudi.id(), SIGCONT);
+  EXPECT_TRUE(zero_copy_flows()) << segmenter.log() << camera.log();
 }
 
 // Nobody can join while RouDi's socket has another name; who has joined keeps its connection.

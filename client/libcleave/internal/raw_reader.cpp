@@ -5,12 +5,16 @@
 #include <spdlog/spdlog.h>
 #include <sys/eventfd.h>
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 
 #include "libcleave/internal/dds.hpp"
 
 namespace cleave {
 namespace {
+
+constexpr std::int64_t liveliness_lease_ns = DDS_SECS(1);  // as in qos_of()
 
 ddsi_serdata* serdata_of(void* opaque) {
   return static_cast<ddsi_serdata*>(opaque);
@@ -35,6 +39,7 @@ struct RawReader::State {
   explicit State(const Topic& t) : topic(t) {}
   Topic topic;
   int event_descriptor = -1;
+  std::atomic<std::int64_t> last_chunk_ns{-liveliness_lease_ns};
   dds::Entity dds_topic, reader;
 
   [[nodiscard]] dds::Listener listener() {
@@ -53,6 +58,11 @@ struct RawReader::State {
     spdlog::warn(
         "{}: a writer cannot be heard: its {} policy does not match what this reader needs",
         static_cast<const State*>(state)->topic.name, dds::policy_name(status.last_policy_id));
+  }
+  [[nodiscard]] bool matched() const {
+    dds_subscription_matched_status_t status;
+    return dds_get_subscription_matched_status(reader.get(), &status) == 0 &&
+           status.current_count > 0;
   }
   // On whichever thread of DDS or iceoryx brings a sample.
   static void on_data(dds_entity_t /*reader*/, void* state) {
@@ -88,6 +98,7 @@ std::optional<RawSample> RawReader::take() {
       continue;
     }
     if (serdata->iox_chunk != nullptr) {
+      state_->last_chunk_ns = monotonic_now_ns();
       return RawSample(serdata, serdata->iox_chunk, nullptr, descriptor);
     }
     void* const copy = dds_alloc(descriptor->m_size);  // zeroed, as deserialisation needs it
@@ -100,11 +111,15 @@ std::optional<RawSample> RawReader::take() {
 }
 
 // By liveliness, not by matching: a killed process stays matched for its participant's lease of 10
-// s.
+// s. A writer that was suspended for longer than its lease comes alive again when the network
+// brings something of it, and so never where all goes through shared memory: then its samples are
+// the proof.
 unsigned RawReader::live_writers() const {
   dds_liveliness_changed_status_t status;
   const bool known = dds_get_liveliness_changed_status(state_->reader.get(), &status) == 0;
-  return known ? status.alive_count : 0;
+  if (known && status.alive_count > 0) return status.alive_count;
+  return monotonic_now_ns() - state_->last_chunk_ns < liveliness_lease_ns && state_->matched() ? 1
+                                                                                               : 0;
 }
 
 void RawReader::notify(int event_descriptor) const {

@@ -60,7 +60,7 @@ std::string no_roudi(const RouDiPlace& place) {
              place.memory.string() + "; docker run --shm-size=512m), then start RouDi";
     }
   }
-  return what + ": start `iox-roudi -c config/roudi.toml`";
+  return what + ": start `iox-roudi -m off -c config/roudi.toml`";
 }
 
 std::string another_user(uid_t owner) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -9,13 +7,12 @@
 
 // These lack it.
 extern "C" {
-#include <iceoryx_binding_c/log.h>
 #include <iceoryx_binding_c/publisher.h>
-#include <iceoryx_binding_c/runtime.h>
 }
 #include <dds/ddsi/ddsi_shm_transport.h>
 
 #include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/internal/roudi_post.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {
@@ -59,11 +56,10 @@ class PoolQuestion {
 }  // namespace
 
 std::string obstacle_of_pools(std::uint32_t bytes) {
-  iox_set_loglevel(Iceoryx_LogLevel_Off);  // until Cyclone sets its own
-  iox_runtime_init(("cleave_" + std::to_string(::getpid())).c_str());
+  join_roudi();
   if (PoolQuestion().fits(bytes)) return {};
   return "RouDi's pools have no chunks of " + std::to_string(bytes) +
-         " bytes: start it with `iox-roudi -c config/" +
+         " bytes: start it with `iox-roudi -m off -c config/" +
          (bytes > sizeof(DepthCloud) ? "roudi-large.toml`" : "roudi.toml`");
 }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "libcleave/process/roudi_process.hpp"
+
 namespace cleave {
 namespace {
 
@@ -41,9 +43,16 @@ Shutdown::~Shutdown() {
 void Shutdown::watch() {
   const sigset_t signals = shutdown_signals();
   while (!quit_) {
-    const int signal = sigwaitinfo(&signals, nullptr);
+    siginfo_t info{};
+    const int signal = sigwaitinfo(&signals, &info);
     if (signal != SIGINT && signal != SIGTERM) continue;
-    if (requested_) _exit(130);  // asked twice: do not wait for the drain
+    if (info.si_code == SI_USER && is_roudi(info.si_pid)) {
+      if (!requested_) roudi_ = info.si_pid;
+      request();
+      continue;
+    }
+    // Asked twice: do not wait for the drain.
+    if (requested_ && roudi_.exchange(0) == 0) _exit(130);
     request();
   }
 }

@@ -2,6 +2,8 @@
 // SIGTERM and SIGINT as a request that threads can wait for.
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -11,6 +13,9 @@
 
 namespace cleave {
 
+// RouDi asks who has joined it to end, too, when it ends, and again four times a second until they
+// have: however often, that is one request.
+//
 // Construct before any other thread: it blocks both signals, and SIGUSR1 for its own use, for as
 // long as the process lives, and threads inherit that. A signal after shutdown was requested, by a
 // first one or by request(), ends the process at once (exit code 130).
@@ -22,6 +27,8 @@ class Shutdown {
   Shutdown& operator=(const Shutdown&) = delete;
 
   [[nodiscard]] bool requested() const { return requested_.load(); }
+  // The RouDi that asked, if nobody else has; else 0.
+  [[nodiscard]] pid_t roudi() const { return roudi_.load(); }
   // As if a signal had come: for programs that end by themselves. From any thread.
   void request();
   // Waits up to `timeout`; true if shutdown was requested.
@@ -34,6 +41,7 @@ class Shutdown {
  private:
   void watch();
   std::atomic<bool> requested_{false};
+  std::atomic<pid_t> roudi_{0};
   std::atomic<bool> quit_{false};
   std::mutex mutex_;  // guards action_
   std::condition_variable changed_;

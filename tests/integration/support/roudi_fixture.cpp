@@ -32,7 +32,7 @@ RouDi::RouDi() : RouDi(std::string(CLEAVE_SOURCE_DIR) + "/config/roudi.toml") {}
 
 RouDi::RouDi(const std::filesystem::path& pools, std::vector<std::string> starter)
     : command_(std::move(starter)) {
-  command_.insert(command_.end(), {"/usr/bin/iox-roudi", "-c", pools.string()});
+  command_.insert(command_.end(), {"/usr/bin/iox-roudi", "-m", "off", "-c", pools.string()});
   start();
 }
 
@@ -41,6 +41,11 @@ void RouDi::start() {
   if (!eventually([] { return roudi_answers(); })) {
     throw std::runtime_error("RouDi does not answer: " + process_->log() + process_->output());
   }
+}
+
+int RouDi::stop() {
+  process_->signal(SIGTERM);
+  return process_->wait();
 }
 
 void RouDi::kill() {

@@ -32,6 +32,7 @@ class RouDi {
   explicit RouDi(const std::filesystem::path& pools, std::vector<std::string> starter = {});
 
   void start();
+  int stop();   // SIGTERM; its exit code
   void kill();  // -9: its socket and segments stay behind, as after a crash
   [[nodiscard]] pid_t id() const { return process_->id(); }
 

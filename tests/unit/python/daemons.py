@@ -87,7 +87,7 @@ def main_with_roudi() -> None:
     """unittest.main() in a process of its own: RouDi ends all that are connected as it ends."""
     if "CLEAVE_WITH_ROUDI" in os.environ or not os.path.exists(ROUDI):
         unittest.main()
-    with subprocess.Popen([ROUDI, "-c", str(TOP / "config/roudi.toml")], stdout=subprocess.PIPE) as roudi:
+    with subprocess.Popen([ROUDI, "-m", "off", "-c", str(TOP / "config/roudi.toml")], stdout=subprocess.PIPE) as roudi:
         try:
             assert roudi.stdout is not None
             for line in roudi.stdout:
