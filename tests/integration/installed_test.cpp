@@ -44,7 +44,7 @@ class Installed : public testing::Test {
   static void shell(const std::string& line) {
     fs::create_directories(work());
     Process process({"/bin/sh", "-ec", "cd " + work().string() + "; " + line},
-                    {{"PKG_CONFIG_PATH", (prefix() / "lib" / "pkgconfig").string()},
+                    {{"PKG_CONFIG_PATH", (prefix() / "share" / "pkgconfig").string()},
                      {"LD_LIBRARY_PATH", (prefix() / "lib").string()},
                      {"PYTHONPATH", (prefix() / "lib/python3/dist-packages").string()}});
     ASSERT_EQ(process.wait(std::chrono::minutes(5)), 0) << line << '\n'
