@@ -10,6 +10,7 @@
 
 #include "idl/topics.hpp"
 #include "libcleave/process/exit_codes.hpp"
+#include "libcleave/process/settings_file.hpp"
 #include "recording/units/unit.hpp"
 
 namespace cleave::sensor {
@@ -77,7 +78,8 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   std::optional<std::uint64_t> frames;
   std::optional<double> max_gap_s;
   bool loop = false, lossless = false, no_shared_memory = false;
-  app.add_option("--config", file, "configuration file (YAML)")->required();
+  app.add_option("--config", file,
+                 "configuration file (YAML); else grabber.yaml of the installation");
   app.add_option("--source", source, "where frames come from, a URI as below");
   app.add_option("--sensor", sensor, "name of the sensor in the topics")
       ->check(CLI::Validator(check_sensor, "NAME"));
@@ -103,6 +105,7 @@ std::variant<Settings, int> read_command_line(int argc, char** argv) {
   }
   config::ImageSize image = size ? *size_of(*size) : config::ImageSize{};
   image.decimate = decimate;
+  if (file.empty()) file = settings_file("grabber.yaml");
   Settings settings{config::load_grabber_config(file, image), frames};
   config::GrabberConfig& config = settings.config;
   if (source) config.source = *source;

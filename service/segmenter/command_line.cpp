@@ -25,8 +25,8 @@ std::variant<CommandLine, int> parse_command_line(int count, const char* const* 
                "cleave-segmenter");
   app.footer(examples);
   app.set_version_flag("--version", version_text(CLEAVE_VERSION));
-  app.add_option("--config", line.config_file, "YAML file, as config/segmenter.yaml")
-      ->required()
+  app.add_option("--config", line.config_file,
+                 "Configuration file (YAML); else segmenter.yaml of the installation")
       ->type_name("FILE");
   app.add_option("--workers", line.workers, "Frames segmented at a time, for each sensor")
       ->check(CLI::Range(std::uint32_t{1}, config::max_workers));

@@ -10,7 +10,7 @@
 namespace cleave::service {
 
 struct CommandLine {
-  std::string config_file;
+  std::string config_file;               // empty: the installation's
   std::optional<std::uint32_t> workers;  // 1 to config::max_workers
   std::optional<std::string> sensor;
   bool lossless = false;

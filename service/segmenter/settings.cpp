@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <stdexcept>
 #include <thread>
 
 #include "config/section.hpp"
 #include "config/segmenter_config.hpp"
 #include "idl/topics.hpp"
+#include "libcleave/process/settings_file.hpp"
 #include "segmentation/ignored_options.hpp"
 #include "segmentation/option_visitor.hpp"
 #include "segmenter/option_binder.hpp"
@@ -50,7 +52,9 @@ std::size_t workers_of(const config::SegmenterConfig& config, const CommandLine&
 }  // namespace
 
 DaemonSettings read_settings(const CommandLine& line) {
-  config::Section file = config::Section::load(line.config_file);
+  config::Section file =
+      config::Section::load(line.config_file.empty() ? settings_file("segmenter.yaml")
+                                                     : std::filesystem::path(line.config_file));
   const config::SegmenterConfig config = config::read_segmenter_config(file);
   DaemonSettings settings;
   settings.segmentation = read_options(file.section("segmentation"));

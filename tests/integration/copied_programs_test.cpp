@@ -89,6 +89,20 @@ TEST_F(CopiedPrograms, SayWhereTheyLookedForAProgramThatIsNotThere) {
   expect_missing(segment, "cleave-workbench", "install the package cleave-workbench");
 }
 
+TEST_F(CopiedPrograms, SayWhereTheyLookedForTheirConfiguration) {
+  if (fs::exists("/etc/cleave")) GTEST_SKIP() << "Cleave is installed on this machine";
+  copy({"cleave-grabber", "cleave-segmenter"}, "bin");
+  for (const std::string name : {"grabber", "segmenter"}) {
+    Process daemon = run("cleave-" + name, {});
+    EXPECT_EQ(daemon.wait(), 2);
+    for (const fs::path& place : {prefix() / "etc" / "cleave", fs::path("/etc/cleave")}) {
+      EXPECT_NE(daemon.log().find((place / (name + ".yaml")).string()), std::string::npos)
+          << daemon.log();
+    }
+    EXPECT_NE(daemon.log().find("--config"), std::string::npos) << daemon.log();
+  }
+}
+
 TEST_F(CopiedPrograms, SayWhereTheyLookedForTheRenderer) {
   copy({"cleave-workbench"}, "bin");
   Process study = run("cleave-workbench", {"study", "cannot-link-threshold", "--output",

@@ -70,7 +70,9 @@ def _candidates() -> list[str]:
     builds = (checkout / "build").glob(f"*/lib/{_NAME}") if (checkout / "idl").is_dir() else ()
     # Of several builds the optimised one.
     ordered = sorted(builds, key=lambda path: (path.parts[-3] != "release", path))
-    return [str(package / _NAME), *map(str, ordered), _NAME]  # the last: as ld.so finds it
+    installed = package.parents[2] / _NAME  # the package is in lib/python3/dist-packages
+    # The last: as ld.so finds it.
+    return [str(package / _NAME), str(installed), *map(str, ordered), _NAME]
 
 
 _ADVICE = (

@@ -144,7 +144,6 @@ TEST(SegmenterCommandLine, EndsWith0AfterHelp) {
 }
 
 TEST(SegmenterCommandLine, EndsWith2ForWrongUsage) {
-  EXPECT_EQ(std::get<int>(parse({})), 2);
   EXPECT_EQ(std::get<int>(parse({"--config", "a.yaml", "--no-such-option"})), 2);
   EXPECT_EQ(std::get<int>(parse({"--config", "a.yaml", "--workers", "7"})), 2);
   EXPECT_EQ(std::get<int>(parse({"--config", "a.yaml", "--workers", "many"})), 2);
