@@ -11,7 +11,7 @@
 
 int main() {
   using Pools = iox::roudi::MemPoolIntrospectionInfoContainer;
-  constexpr std::uint32_t smallest_chunk = 100'000;
+  constexpr std::uint32_t labels = 655'360, cloud = 3'690'496;  // as in config/roudi.toml
   iox::runtime::PoshRuntime::initRuntime("chunks_in_use");
   iox::popo::Subscriber<Pools> subscriber(iox::roudi::IntrospectionMempoolService);
   for (int i = 0; i < 100; ++i) {
@@ -22,7 +22,8 @@ int main() {
       told = true;
       for (const auto& segment : *segments) {
         for (const auto& pool : segment.m_mempoolInfo) {
-          if (pool.m_chunkSize > smallest_chunk) used += pool.m_usedChunks;
+          const std::uint32_t size = pool.m_chunkPayloadSize;
+          if (size == labels || size == cloud) used += pool.m_usedChunks;
         }
       }
     });
