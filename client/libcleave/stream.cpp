@@ -12,6 +12,7 @@
 
 #include "idl/interface_name.hpp"
 #include "libcleave/internal/dds.hpp"
+#include "libcleave/internal/dds_log.hpp"
 #include "libcleave/internal/own_interface.hpp"
 #include "libcleave/internal/roudi_access.hpp"
 #include "libcleave/internal/roudi_post.hpp"
@@ -24,7 +25,7 @@ constexpr std::uint32_t bulk_domain_offset = 100;
 constexpr std::uint32_t max_domain = 99;
 
 // Discovery by unicast between the processes of this machine; on another interface, by multicast.
-std::string network_xml(const std::string& interface) {
+std::string network_xml(const std::string& interface, const std::string& largest_sample) {
   const bool loopback = interface == "lo" || interface == "127.0.0.1";
   std::string xml = "<General><Interfaces><NetworkInterface ";
   xml += interface.find_first_not_of("0123456789.") == std::string::npos ? "address" : "name";
@@ -38,11 +39,14 @@ std::string network_xml(const std::string& interface) {
       "<MaxAutoParticipantIndex>60</MaxAutoParticipantIndex>";
   if (loopback) xml += "<Peers><Peer address=\"127.0.0.1\"/></Peers>";
   xml +=
-      "</Discovery><Internal><SocketReceiveBufferSize min=\"default\" max=\"4MB\"/></Internal>"
+      "</Discovery><Internal><SocketReceiveBufferSize min=\"default\" max=\"4MB\"/>"
+      // Larger ones are dropped at their first fragment, with a warning.
+      "<MaxSampleSize>" +
+      largest_sample +
+      "</MaxSampleSize></Internal>"
       // Every QoS is announced: there are clients that do not know what a missing one means.
       "<Compatibility><ExplicitlyPublishQosSetToDefault>true</ExplicitlyPublishQosSetToDefault>"
-      "</Compatibility>"
-      "<Tracing><Verbosity>warning</Verbosity><OutputFile>stderr</OutputFile></Tracing>";
+      "</Compatibility>";
   return xml;
 }
 
@@ -52,10 +56,15 @@ std::string shared_memory_xml(bool enabled, std::uint32_t domain) {
          "</Prefix><LogLevel>error</LogLevel></SharedMemory>";
 }
 
-dds::Entity open_domain(std::uint32_t id, const std::string& interface, bool shared_memory) {
+// Lists and statuses are smaller by far; a large cloud is not.
+constexpr char largest_public_sample[] = "4MB";
+constexpr char largest_bulk_sample[] = "32MB";
+
+dds::Entity open_domain(std::uint32_t id, const std::string& interface,
+                        const std::string& largest_sample, bool shared_memory) {
   const std::string xml = "<CycloneDDS xmlns=\"https://cdds.io/config\"><Domain id=\"any\">" +
-                          network_xml(interface) + shared_memory_xml(shared_memory, id) +
-                          "</Domain></CycloneDDS>";
+                          network_xml(interface, largest_sample) +
+                          shared_memory_xml(shared_memory, id) + "</Domain></CycloneDDS>";
   return {dds_create_domain(id, xml.c_str()),
           "cannot open DDS domain " + std::to_string(id) + " on interface '" + interface +
               "' (does the interface exist? `ip address` lists them)"};
@@ -138,8 +147,11 @@ Stream::Stream(const StreamOptions& options) : state_(std::make_unique<State>())
     }
   }
   const std::uint32_t bulk = options.domain + bulk_domain_offset;
-  s.bulk_domain = open_domain(bulk, "lo", s.transport == Transport::shared_memory);
-  s.public_domain = open_domain(options.domain, options.public_interface, false);
+  dds::log_through_ours();
+  s.bulk_domain =
+      open_domain(bulk, "lo", largest_bulk_sample, s.transport == Transport::shared_memory);
+  s.public_domain =
+      open_domain(options.domain, options.public_interface, largest_public_sample, false);
   s.bulk_participant = join(bulk);
   s.public_participant = join(options.domain);
   hear_only("lo", bulk);

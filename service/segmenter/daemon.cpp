@@ -13,9 +13,12 @@ constexpr std::chrono::milliseconds status_interval(500);
 
 }  // namespace
 
-Daemon::Daemon(const DaemonSettings& settings)
+Daemon::Daemon(const DaemonSettings& settings, const Shutdown& shutdown)
     : stream_(settings.stream), status_(stream_), roudi_(stream_) {
-  for (const std::string& sensor : settings.sensors) start(settings, sensor);
+  for (const std::string& sensor : settings.sensors) {
+    if (shutdown.requested()) return;
+    start(settings, sensor);
+  }
   publish_due_status();
 }
 

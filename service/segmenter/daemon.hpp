@@ -36,9 +36,9 @@ enum class Ending {
 
 class Daemon {
  public:
-  // Ready, and said so, when it returns. Throws std::runtime_error, or std::invalid_argument for a
-  // wrong option of the segmentation.
-  explicit Daemon(const DaemonSettings& settings);
+  // Ready, and said so, when it returns; earlier when shutdown is requested. Throws
+  // std::runtime_error, or std::invalid_argument for a wrong option of the segmentation.
+  Daemon(const DaemonSettings& settings, const Shutdown& shutdown);
 
   // Until shutdown is requested or the program must start anew; drains before it returns.
   [[nodiscard]] Ending run(Shutdown& shutdown);

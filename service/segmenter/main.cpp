@@ -22,7 +22,7 @@ using namespace cleave::service;
 
 // The daemon, and with it every reader and writer, is gone when this returns.
 Ending run(const CommandLine& line, cleave::Shutdown& shutdown) {
-  return Daemon(read_settings(line)).run(shutdown);
+  return Daemon(read_settings(line), shutdown).run(shutdown);
 }
 
 }  // namespace

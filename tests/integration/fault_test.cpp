@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 
 #include "tests/integration/support/daemons.hpp"
 #include "tests/integration/support/monitor.hpp"
@@ -100,6 +102,29 @@ TEST_F(Fault, SigtermDrainsAndEndsBothDaemonsWith0) {
     segmenter.signal(signal);
     EXPECT_EQ(segmenter.wait(), 0) << segmenter.log();
   }
+}
+
+TEST_F(Fault, ASegmenterThatIsAskedToEndWhileItStartsDoesNotFinishStarting) {
+  const std::filesystem::path file = folder_.path() / "many.yaml";
+  std::ofstream text(file);
+  text << "workers: 1\nsensors: [s0";
+  for (int i = 1; i < 128; ++i) text << ", s" << i;
+  text << "]\n" << std::flush;
+  Process segmenter =
+      daemons_.run("cleave-segmenter", {"--config", file.string(), "--no-shared-memory"});
+  ASSERT_TRUE(segmenter.logs("ready")) << segmenter.log();
+  segmenter.signal(SIGTERM);
+  EXPECT_EQ(segmenter.wait(), 0) << segmenter.log();
+  EXPECT_EQ(segmenter.log().find("'s127'"), std::string::npos);
+}
+
+TEST_F(Fault, ARecordingThatCannotBeIsRefusedAtOnce) {
+  Process endless = daemons_.run("cleave", {"record", "a.mcap", "--duration", "nan"});
+  EXPECT_EQ(endless.wait(), 2) << endless.log();
+  EXPECT_NE(endless.log().find("found 'nan'"), std::string::npos) << endless.log();
+  Process nowhere = daemons_.run("cleave", {"record", (folder_.path() / "b" / "a.mcap").string()});
+  EXPECT_EQ(nowhere.wait(), 1) << nowhere.log();
+  EXPECT_NE(nowhere.log().find("is no folder"), std::string::npos) << nowhere.log();
 }
 
 TEST_F(Fault, LosslessModeSurvivesASegmenterThatIsKilledHalfWay) {

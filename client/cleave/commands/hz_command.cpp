@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cleave/commands/finite_number.hpp"
 #include "cleave/stream/find_sensor.hpp"
 #include "cleave/stream/list_arrival.hpp"
 #include "cleave/stream/live_options.hpp"
@@ -123,7 +124,7 @@ void add_hz_command(CLI::App& app, Action& action) {
   auto* frames = command->add_option("--frames", options->frames, "end after this many lists")
                      ->check(CLI::PositiveNumber);
   command->add_option("--duration", options->duration_s, "end after this many seconds")
-      ->check(CLI::PositiveNumber)
+      ->check(finite_number())
       ->excludes(frames);
   command->add_flag("--latency", options->latency,
                     "also the latency by stage, from the frame in the grabber's hands: in the "

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cleave/commands/finite_number.hpp"
 #include "cleave/record/record_session.hpp"
 #include "cleave/stream/find_sensor.hpp"
 #include "cleave/stream/live_options.hpp"
@@ -70,6 +71,7 @@ std::string record(RecordSession& session, BackgroundWriter& writer, Shutdown& s
 int run(const RecordOptions& options) {
   const std::set<recording::Kind> topics = kinds_of(options.topics);
   recording::refuse_existing(options.output);
+  recording::refuse_without_folder(options.output);
   Shutdown shutdown;
   Stream stream(stream_options(options.live));
   const std::string sensor =
@@ -102,7 +104,7 @@ void add_record_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command
       ->add_option("--duration", options->duration_s, "end so many seconds after the first frame")
-      ->check(CLI::PositiveNumber);
+      ->check(finite_number());
   command->add_option("--max-size", options->max_size_mb, "end when the file has so many megabytes")
       ->check(CLI::PositiveNumber);
   command->footer(

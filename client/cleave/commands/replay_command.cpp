@@ -10,6 +10,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cleave/commands/finite_number.hpp"
 #include "cleave/record/background_writer.hpp"
 #include "cleave/replay/replay_session.hpp"
 #include "cleave/stream/live_options.hpp"
@@ -133,19 +134,20 @@ void add_replay_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false);
   auto* rate = command->add_option("--rate", options->rate, "times as fast as recorded; 1")
-                   ->check(CLI::PositiveNumber);
+                   ->check(finite_number());
   command->add_flag("--as-fast-as-possible", options->as_fast_as_possible, "without any pause")
       ->excludes(rate);
   command
       ->add_option("--max-gap", options->max_gap_s,
                    "longest pause between two frames, in seconds of the recording; 1")
+      ->check(finite_number(true))
       ->check(CLI::Range(0.0, 86'400.0));
   auto* once = command->add_flag("--once", options->once, "end after the last frame: the default");
   command->add_flag("--loop", options->loop, "begin again after the last frame")->excludes(once);
   command->add_option("--start", options->start_s, "seconds from the beginning")
-      ->check(CLI::NonNegativeNumber);
+      ->check(finite_number(true));
   command->add_option("--end", options->end_s, "seconds from the beginning")
-      ->check(CLI::PositiveNumber);
+      ->check(finite_number());
   command->add_flag("--lossless", options->lossless,
                     "clouds to a live segmenter; the next one when segment lists have come back");
   command->footer(

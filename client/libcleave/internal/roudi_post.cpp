@@ -107,6 +107,15 @@ bool is_of_the_stream(const std::string& name) {
   return name.starts_with("cleave_") || name.starts_with("iceoryx_rt_");
 }
 
+// iceoryx's socket and lock file of a name, which it leaves behind when its process is killed.
+// Tells whether there was a socket.
+bool remove_files_of(const std::string& name, const RouDiPlace& place) {
+  const fs::path socket = place.socket.parent_path() / name;
+  std::error_code error;  // another user's: theirs to remove
+  fs::remove(socket.native() + ".lock", error);
+  return fs::remove(socket, error);
+}
+
 // Of the RouDi that asked this process's predecessor in place to end.
 constexpr char ending_roudi[] = "CLEAVE_ENDING_ROUDI";
 
@@ -133,8 +142,7 @@ void leave_roudi(pid_t ending) {
   if (!has_joined_roudi()) return;
   const RouDiPlace place;
   (void)Socket().send(sign_off(joined_name()), place.socket);
-  std::error_code error;
-  fs::remove(place.socket.parent_path() / joined_name(), error);
+  (void)remove_files_of(joined_name(), place);
 }
 
 bool roudi_responds(std::chrono::milliseconds patience, const RouDiPlace& place) {
@@ -180,7 +188,7 @@ std::vector<std::string> sign_off_the_dead(const RouDiPlace& place) {
     if (!is_of_the_stream(name) || !entry.is_socket(gone)) continue;
     if (connection_error(entry.path()) != ECONNREFUSED) continue;  // it is heard
     if (!Socket().send(sign_off(name), place.socket)) continue;
-    if (fs::remove(entry.path(), gone)) dead.push_back(name);
+    if (remove_files_of(name, place)) dead.push_back(name);
   }
   return dead;
 }

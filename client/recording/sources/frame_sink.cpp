@@ -86,6 +86,13 @@ void refuse_existing(const fs::path& path) {
                            ": exists already, and is not replaced; remove it or name another");
 }
 
+void refuse_without_folder(const fs::path& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  if (fs::is_directory(folder)) return;
+  throw std::runtime_error(path.string() + ": cannot be written, for " + folder.string() +
+                           " is no folder; make it first (mkdir -p)");
+}
+
 std::unique_ptr<FrameSink> open_frame_sink(const fs::path& path) {
   refuse_existing(path);
   if (path.extension() == ".mcap") return std::make_unique<McapSink>(path);

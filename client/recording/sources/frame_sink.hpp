@@ -32,5 +32,7 @@ class FrameSink {
 
 // Throws std::runtime_error, with advice, when there is such a file: recordings are not replaced.
 void refuse_existing(const std::filesystem::path& path);
+// Throws std::runtime_error when the folder that it would be written into is not there.
+void refuse_without_folder(const std::filesystem::path& path);
 
 }  // namespace cleave::recording
