@@ -11,8 +11,13 @@ namespace cleave {
 // Programs whose contract differs do not understand each other: the module in cleave_v1.idl.
 inline constexpr std::string_view contract_name = "cleave_v1";
 
+// Programs that were compiled against another one must be compiled anew: CLEAVE_ABI_VERSION of
+// client/c/cleave.h.
+inline constexpr unsigned c_abi_version = 1;
+
 inline std::string version_text(std::string_view version) {
-  return std::string(version) + " (contract " + std::string(contract_name) + ")";
+  return std::string(version) + " (contract " + std::string(contract_name) + ", C ABI " +
+         std::to_string(c_abi_version) + ")";
 }
 
 inline constexpr std::size_t max_sensor_name_length = 63;  // char sensor[64] in the contract

@@ -8,6 +8,8 @@
 #include "idl/topics.hpp"
 #include "libcleave/status.hpp"
 
+static_assert(cleave::c_abi_version == CLEAVE_ABI_VERSION);
+
 uint32_t cleave_abi_version(void) {
   return CLEAVE_ABI_VERSION;
 }

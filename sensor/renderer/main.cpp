@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "idl/topics.hpp"
 #include "sensor/renderer/labelled_pcd.hpp"
 #include "sensor/renderer/scene/scene_loop.hpp"
 
@@ -76,7 +77,7 @@ int run(int argc, char** argv) {
   CLI::App app("Renders table-top scenes as a depth camera sees them, with true labels.",
                "cleave-render");
   app.footer(examples);
-  app.set_version_flag("--version", CLEAVE_VERSION);
+  app.set_version_flag("--version", cleave::version_text(CLEAVE_VERSION));
   Settings settings;
   app.add_option("SCENE", settings.scene, "what to render, as below")->required();
   app.add_option("FOLDER", settings.folder, "where the files go; made if it is not there")

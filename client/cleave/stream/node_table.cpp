@@ -22,8 +22,8 @@ std::string words_of(const Counts& by_cause) {
 }
 
 std::string details_of(const NodeReport& r) {
-  std::string text = fmt::format("\n{} (process {}, version {})\n", printable(r.node), r.process_id,
-                                 printable(r.version));
+  std::string text = fmt::format("\n{} (process {}, version {}, contract {})\n", printable(r.node),
+                                 r.process_id, printable(r.version), printable(r.contract));
   const auto append = [&](const char* title, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<11}{}\n", title, printable(value));
   };

@@ -32,7 +32,7 @@ from .publisher import Publisher
 from .samples import Cloud, LabelMap, SegmentList, Status
 from .types import Border, Box, Header, Kind, Point, Pose, Quaternion, Rectangle, Segment
 
-__version__: str = _lib.cleave_version().decode()  # "0.1.0 (contract cleave_v1)"
+__version__: str = _lib.cleave_version().decode()  # "0.1.0 (contract cleave_v1, C ABI 1)"
 
 __all__ = [
     "BadArgument",
