@@ -6,8 +6,8 @@
 
 #include <utility>
 
-#include "libcleave/internal/roudi_access.hpp"
-#include "libcleave/internal/roudi_post.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_post.hpp"
 
 namespace cleave {
 namespace {

@@ -14,8 +14,8 @@
 #include "libcleave/internal/dds.hpp"
 #include "libcleave/internal/dds_log.hpp"
 #include "libcleave/internal/own_interface.hpp"
-#include "libcleave/internal/roudi_access.hpp"
-#include "libcleave/internal/roudi_post.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_post.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {

@@ -3,7 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
 
 namespace cleave {
 

@@ -15,7 +15,7 @@ TwoMachines::TwoMachines(std::uint32_t domain)
     : domain_(std::to_string(domain)),
       robot_("cleave_robot_" + std::to_string(::getpid())),
       office_("cleave_office_" + std::to_string(::getpid())) {
-  ready_ = succeeds("iptables --version") &&
+  ready_ = Process({"/usr/bin/env", "iptables", "--version"}).wait() == 0 &&
            succeeds("ip netns add " + robot_ + " && ip netns add " + office_) &&
            succeeds("ip link add robot0 netns " + robot_ + " type veth peer name office0 netns " +
                     office_) &&

@@ -11,8 +11,8 @@ extern "C" {
 }
 #include <dds/ddsi/ddsi_shm_transport.h>
 
-#include "libcleave/internal/roudi_access.hpp"
-#include "libcleave/internal/roudi_post.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_post.hpp"
 #include "libcleave/types.hpp"
 
 namespace cleave {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "libcleave/internal/roudi_post.hpp"
+#include "libcleave/internal/roudi/roudi_post.hpp"
 
 #include <poll.h>
 #include <sys/socket.h>

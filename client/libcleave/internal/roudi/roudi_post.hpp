@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
 
 namespace cleave {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "libcleave/internal/roudi_access.hpp"
+#include "libcleave/internal/roudi/roudi_access.hpp"
 
 #include <fcntl.h>
 #include <grp.h>
