@@ -11,7 +11,7 @@ namespace cleave {
 bool is_roudi(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/comm");
   std::string name;
-  return std::getline(file, name) && name == roudi_program;
+  return file >> name && name == roudi_program;
 }
 
 pid_t find_roudi() {
