@@ -1,97 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The client for Node as its users have it: packed, installed from the tarball, and run beside
-// ours.
+// The client for Node as its users have it, beside ours: segment lists and statuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <csignal>
-#include <sstream>
 
 #include "idl/topics.hpp"
 #include "libcleave/status.hpp"
 #include "tests/integration/support/daemons.hpp"
 #include "tests/integration/support/small_clouds.hpp"
-#include "tests/interop/npm_packages.hpp"
+#include "tests/interop/javascript_package.hpp"
 
 namespace cleave::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Line {
-  std::uint64_t frame;
-  std::string text;
-};
-
-// "frame N: ...". The last line may not be whole yet.
-std::vector<Line> lines_of(const std::string& output) {
-  std::vector<Line> lines;
-  std::istringstream input(output.substr(0, output.rfind('\n') + 1));
-  for (std::string text; std::getline(input, text);) {
-    lines.push_back({std::stoull(text.substr(text.find(' ') + 1)), text});
-  }
-  return lines;
-}
-
-// Of the frames that both were there for.
-std::string common(const std::vector<Line>& lines, const std::vector<Line>& others) {
-  std::string text;
-  for (const Line& line : lines) {
-    if (line.frame < others.front().frame || line.frame > others.back().frame) continue;
-    text += line.text + "\n";
-  }
-  return text;
-}
-
-class Javascript : public testing::Test {
- protected:
-  // A mirror of what the package is made of, because npm builds where the sources are.
-  static void SetUpTestSuite() {
-    const fs::path top(CLEAVE_SOURCE_DIR);
-    const fs::path sources = top / "client" / "javascript";
-    fs::remove_all(mirror() / "idl");
-    for (const char* const part : {"build", "examples", "src", "test"}) {
-      fs::remove_all(package() / part);
-    }
-    ASSERT_NO_FATAL_FAILURE(install_npm_packages(sources, package()));
-    constexpr auto everything = fs::copy_options::recursive | fs::copy_options::overwrite_existing;
-    for (const char* const part : {"build", "examples", "src", "test", "tsconfig.json"}) {
-      fs::copy(sources / part, package() / part, everything);
-    }
-    fs::copy(top / "idl", mirror() / "idl", everything);
-    fs::copy(top / "LICENSE", mirror() / "LICENSE", everything);
-    fs::copy(sources / "README.md", package() / "README.md", everything);
-
-    fs::remove_all(user());
-    fs::create_directories(user());
-    npm({"pack", package().string(), "--pack-destination", user().string()});
-    for (const auto& entry : fs::directory_iterator(user())) {
-      if (entry.path().extension() != ".tgz") continue;
-      npm({"install", "--no-audit", "--no-fund", "--prefix", user().string(),
-           entry.path().string()});
-      break;
-    }
-  }
-
-  static void npm(const std::vector<std::string>& words) {
-    std::vector<std::string> command = {"/usr/bin/env", "npm"};
-    command.insert(command.end(), words.begin(), words.end());
-    Process process(command);
-    ASSERT_EQ(process.wait(std::chrono::minutes(5)), 0) << process.output() << process.log();
-  }
-
-  // An example of the package, beside the installed package.
-  static Process example(const std::string& name, std::uint32_t domain) {
-    const fs::path script = user() / name;
-    fs::copy_file(package() / "examples" / name, script, fs::copy_options::overwrite_existing);
-    return Process({"/usr/bin/env", "node", script.string()},
-                   {{"CLEAVE_DOMAIN", std::to_string(domain)}});
-  }
-
-  static fs::path mirror() { return CLEAVE_JAVASCRIPT_MIRROR; }
-  static fs::path package() { return mirror() / "client" / "javascript"; }
-  static fs::path user() { return mirror() / "user"; }
-};
 
 TEST_F(Javascript, PrintsOfEveryFrameWhatTheSameProgramInCppPrints) {
   const TemporaryFolder folder;

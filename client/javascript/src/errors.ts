@@ -9,3 +9,13 @@ export class TimeoutError extends Error {
 export class ContractError extends Error {
   override name = "ContractError";
 }
+
+/** The C library refused; the message is its own words. */
+export class LibraryError extends Error {
+  override name = "LibraryError";
+
+  /** `code`: of cleave_result, without its CLEAVE_. */
+  constructor(message: string, readonly code: string) {
+    super(message);
+  }
+}
