@@ -15,7 +15,8 @@ namespace {
 
 TEST(CLibrary, TellsItsVersions) {
   EXPECT_EQ(cleave_abi_version(), CLEAVE_ABI_VERSION);
-  EXPECT_NE(std::string(cleave_version()).find(" (contract cleave_v1, C ABI 1)"), std::string::npos);
+  EXPECT_NE(std::string(cleave_version()).find(" (contract cleave_v1, C ABI 1)"),
+            std::string::npos);
 }
 
 TEST(CLibrary, NamesOutcomesAndStates) {
