@@ -21,13 +21,8 @@ class Fault : public testing::Test {
 
   // At least `count` more lists than there were.
   testing::AssertionResult segments_flow(std::size_t count = 5) {
-    monitor_.poll();
-    const std::size_t wanted = monitor_.lists().size() + count;
-    const bool flow = eventually([&] {
-      monitor_.poll();
-      return monitor_.lists().size() >= wanted;
-    });
-    return flow ? testing::AssertionSuccess() : testing::AssertionFailure() << "no segments come";
+    return monitor_.lists_flow(count) ? testing::AssertionSuccess()
+                                      : testing::AssertionFailure() << "no segments come";
   }
 
   bool segmenter_says(NodeState state) {

@@ -26,13 +26,8 @@ class RouDiFault : public testing::Test {
   }
 
   testing::AssertionResult segments_flow() {
-    monitor_.poll();
-    const std::size_t wanted = monitor_.lists().size() + 5;
-    const bool flow = eventually([&] {
-      monitor_.poll();
-      return monitor_.lists().size() >= wanted;
-    });
-    return flow ? testing::AssertionSuccess() : testing::AssertionFailure() << "no segments come";
+    return monitor_.lists_flow(5) ? testing::AssertionSuccess()
+                                  : testing::AssertionFailure() << "no segments come";
   }
 
   bool zero_copy_flows() {

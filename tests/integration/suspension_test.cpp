@@ -30,14 +30,9 @@ class Suspension : public testing::Test {
   }
 
   testing::AssertionResult segments_flow() {
-    monitor_.poll();
-    const std::size_t wanted = monitor_.lists().size() + 30;
-    const bool flow = eventually([&] {
-      monitor_.poll();
-      return monitor_.lists().size() >= wanted;
-    });
-    return flow ? testing::AssertionSuccess()
-                : testing::AssertionFailure() << segmenter_.log() << grabber_->log();
+    return monitor_.lists_flow(30)
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << segmenter_.log() << grabber_->log();
   }
 
   // Stops the processes for a while, lets them go on in the same order, and tells after how long a

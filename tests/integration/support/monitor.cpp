@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/integration/support/monitor.hpp"
 
+#include "tests/integration/support/process.hpp"
+
 namespace cleave::test {
 namespace {
 
@@ -38,6 +40,15 @@ NodeReport Monitor::status(const std::string& node) const {
 std::vector<NodeReport> Monitor::history(const std::string& node) const {
   const auto found = nodes_.find(node);
   return found == nodes_.end() ? std::vector<NodeReport>{} : found->second;
+}
+
+bool Monitor::lists_flow(std::size_t count) {
+  poll();
+  const std::size_t wanted = lists_.size() + count;
+  return eventually([&] {
+    poll();
+    return lists_.size() >= wanted;
+  });
 }
 
 }  // namespace cleave::test

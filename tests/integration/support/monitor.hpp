@@ -28,6 +28,8 @@ class Monitor {
 
   // Takes what has come in; then the accessors below tell.
   void poll();
+  // Whether so many more lists come in.
+  [[nodiscard]] bool lists_flow(std::size_t count);
   [[nodiscard]] const std::vector<ListSummary>& lists() const { return lists_; }
   // The node's last status; a default one before the first.
   [[nodiscard]] NodeReport status(const std::string& node) const;
